@@ -1,0 +1,280 @@
+#include "geometry/mesh_faces.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "geometry/edge_uses.hpp"
+
+namespace raycat {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ bits >> 32U) * 0xd6e8feb86659fd93U;
+  return bits ^ bits >> 32U;
+}
+
+std::uint64_t hash(const glm::dvec3& point) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
+  return mixed(bits(point.x) + mixed(bits(point.y) + mixed(bits(point.z))));
+}
+
+bool finite(const glm::dvec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Sets that are joined two at a time.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  std::uint32_t find(std::uint32_t i) noexcept {
+    while (parent_[i] != i) {
+      i = parent_[i] = parent_[parent_[i]];
+    }
+    return i;
+  }
+
+  // The lower root stays, so that roots are first members.
+  void join(std::uint32_t a, std::uint32_t b) noexcept {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Welded triangles, and which of them are of one face.
+class FaceGrouping {
+ public:
+  FaceGrouping(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+               std::span<const glm::vec3> corner_normals, const FaceRule& rule)
+      : corner_normals_(corner_normals),
+        vertices_(triangles.size()),
+        normals_(triangles.size()),
+        same_normal_(std::cos(rule.same_normal)),
+        // The chord, unlike the cosine, tells small angles apart.
+        crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
+        sets_(triangles.size()) {
+    const std::vector<std::uint32_t> first = weld(positions);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const glm::uvec3& t = triangles[i];
+      vertices_[i] = {first[t.x], first[t.y], first[t.z]};
+      normals_[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
+    }
+    edges_ = edge_uses(vertices_, positions.size());
+  }
+
+  void join_smooth_edges() {
+    // So many triangles around one edge are no surface, and all their pairs too many to try.
+    constexpr std::size_t most_around_edge = 64;
+    for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
+      const std::span<const std::uint32_t> uses = edges_[edge];
+      if (uses.size() > most_around_edge) {
+        continue;
+      }
+      for (std::size_t i = 0; i < uses.size(); ++i) {
+        for (std::size_t j = i + 1; j < uses.size(); ++j) {
+          const bool opposite = start(uses[i]) != start(uses[j]);
+          if ((opposite || uses.size() == 2) && smooth(uses[i], uses[j], opposite)) {
+            sets_.join(uses[i] / 3, uses[j] / 3);
+          }
+        }
+      }
+    }
+  }
+
+  /// Spreads faces over degenerate triangles, from edge to edge and then through vertices, for
+  /// those without an edge.
+  void adopt_degenerate_triangles() {
+    std::vector<std::uint32_t> settled;
+    for (std::uint32_t i = 0; i < normals_.size(); ++i) {
+      if (!degenerate(i)) {
+        settled.push_back(i);
+      }
+    }
+    if (settled.size() == normals_.size()) {
+      return;
+    }
+    std::vector<std::uint32_t> edge_of(3 * vertices_.size(), none);
+    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
+      for (const std::uint32_t half : edges_[edge]) {
+        edge_of[half] = edge;
+      }
+    }
+    std::vector<bool> is_settled(vertices_.size(), false);
+    std::vector<bool> is_visited(edges_.size(), false);
+    for (const std::uint32_t i : settled) {
+      is_settled[i] = true;
+    }
+    for (std::size_t next = 0; next < settled.size(); ++next) {
+      const std::uint32_t triangle = settled[next];
+      for (std::uint32_t half = 3 * triangle; half < 3 * triangle + 3; ++half) {
+        if (edge_of[half] == none || is_visited[edge_of[half]]) {
+          continue;
+        }
+        is_visited[edge_of[half]] = true;
+        for (const std::uint32_t use : edges_[edge_of[half]]) {
+          if (!is_settled[use / 3]) {
+            is_settled[use / 3] = true;
+            settled.push_back(use / 3);
+            sets_.join(triangle, use / 3);
+          }
+        }
+      }
+    }
+    adopt_through_vertices(is_settled);
+  }
+
+  /// The lowest-numbered triangle of the same face.
+  std::uint32_t first_of_face(std::uint32_t triangle) noexcept { return sets_.find(triangle); }
+
+ private:
+  // Zero for a triangle whose height is nothing beside its longest side.
+  static glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    constexpr double least_height = 1e-10;
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const glm::dvec3 bc = c - b;
+    const glm::dvec3 normal = glm::cross(ab, ac);
+    const double length = glm::length(normal);
+    const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+    return length > least_height * longest ? normal / length : glm::dvec3(0.0);
+  }
+
+  bool degenerate(std::uint32_t triangle) const { return normals_[triangle] == glm::dvec3(0.0); }
+
+  std::uint32_t start(std::uint32_t half) const { return half_edge_start(vertices_, half); }
+
+  bool smooth(std::uint32_t a, std::uint32_t b, bool opposite) const {
+    if (degenerate(a / 3) || degenerate(b / 3)) {
+      return false;
+    }
+    const glm::dvec3 turned = opposite ? normals_[b / 3] : -normals_[b / 3];
+    const glm::dvec3 chord = normals_[a / 3] - turned;
+    if (glm::dot(chord, chord) < crease_chord_ * crease_chord_) {
+      return true;
+    }
+    if (corner_normals_.empty()) {
+      return false;
+    }
+    const std::uint32_t a_end = next_corner(a);
+    const std::uint32_t b_end = next_corner(b);
+    return opposite ? same_normals(a, b_end) && same_normals(a_end, b)
+                    : same_normals(a, b) && same_normals(a_end, b_end);
+  }
+
+  static std::uint32_t next_corner(std::uint32_t corner) {
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+  }
+
+  // False if either is zero or not finite.
+  bool same_normals(std::uint32_t corner, std::uint32_t other) const {
+    const glm::dvec3 a(corner_normals_[corner]);
+    const glm::dvec3 b(corner_normals_[other]);
+    const double lengths = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+    return lengths > 0.0 && std::isfinite(lengths) && glm::dot(a, b) >= same_normal_ * lengths;
+  }
+
+  void adopt_through_vertices(std::vector<bool>& is_settled) {
+    std::vector<std::uint32_t> triangle_at;  // by vertex; made if ever needed
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+      if (is_settled[i]) {
+        continue;
+      }
+      if (triangle_at.empty()) {
+        triangle_at = settled_by_vertex(is_settled);
+      }
+      for (int k = 0; k < 3; ++k) {
+        if (triangle_at[vertices_[i][k]] != none) {
+          sets_.join(i, triangle_at[vertices_[i][k]]);
+          break;
+        }
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> settled_by_vertex(const std::vector<bool>& is_settled) const {
+    std::uint32_t last = 0;
+    for (const glm::uvec3& t : vertices_) {
+      last = std::max({last, t.x, t.y, t.z});
+    }
+    std::vector<std::uint32_t> triangle_at(std::size_t{last} + 1, none);
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+      for (int k = 0; is_settled[i] && k < 3; ++k) {
+        triangle_at[vertices_[i][k]] = std::min(triangle_at[vertices_[i][k]], i);
+      }
+    }
+    return triangle_at;
+  }
+
+  std::span<const glm::vec3> corner_normals_;
+  std::vector<glm::uvec3> vertices_;
+  std::vector<glm::dvec3> normals_;
+  double same_normal_;
+  double crease_chord_;
+  EdgeUses edges_;
+  DisjointSets sets_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions) {
+  if (positions.size() >= none) {
+    throw std::length_error(
+        fmt::format("a mesh has at most {} vertices, but this has {}", none - 1, positions.size()));
+  }
+  const std::size_t slots = std::bit_ceil(2 * positions.size() + 1);
+  std::vector<std::uint32_t> table(slots, none);
+  std::vector<std::uint32_t> first(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    first[i] = i;
+    if (!finite(positions[i])) {
+      continue;
+    }
+    std::size_t slot = hash(positions[i]) & (slots - 1);
+    while (table[slot] != none && positions[table[slot]] != positions[i]) {
+      slot = (slot + 1) & (slots - 1);
+    }
+    if (table[slot] == none) {
+      table[slot] = i;
+    }
+    first[i] = table[slot];
+  }
+  return first;
+}
+
+std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
+                                       std::span<const glm::uvec3> triangles,
+                                       std::span<const glm::vec3> corner_normals,
+                                       const FaceRule& rule) {
+  assert(corner_normals.empty() || corner_normals.size() == 3 * triangles.size());
+  assert(rule.crease >= 0.0 && rule.crease <= std::numbers::pi);
+  FaceGrouping grouping(positions, triangles, corner_normals, rule);
+  grouping.join_smooth_edges();
+  grouping.adopt_degenerate_triangles();
+
+  std::vector<std::uint32_t> faces(triangles.size());
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    const std::uint32_t first = grouping.first_of_face(i);
+    faces[i] = first == i ? count++ : faces[first];
+  }
+  return faces;
+}
+
+}  // namespace raycat

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "geometry/mesh.hpp"
+
+namespace raycat {
+
+/// For each point, the number of the first point equal to it (-0 equals 0). Points are compared
+/// exactly; what is not finite equals only itself.
+std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions);
+
+/// How triangles join into faces.
+struct FaceRule {
+  double crease = 0.5235987755982988;        ///< radians; 30 degrees (DESIGN 5)
+  double same_normal = 0.08726646259971647;  ///< radians; authored normals within 5 degrees
+};
+
+/// The face of each triangle, numbered from 0 in the order of each face's first triangle. Two
+/// triangles that share an edge, once equal positions are welded, are of one face when the
+/// authored normals agree at both ends of the edge within `rule.same_normal`, or the angle
+/// between their planes is under `rule.crease`. An edge of three or more triangles joins those
+/// pairs that run along it in opposite directions; two triangles that run along it the same way
+/// are compared with one of them turned over, and an edge of more than 64 joins none. Degenerate
+/// triangles belong to the face of a neighbour, and join nothing. `corner_normals` holds three per
+/// triangle, or nothing. Indices must be in range.
+std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
+                                       std::span<const glm::uvec3> triangles,
+                                       std::span<const glm::vec3> corner_normals,
+                                       const FaceRule& rule = {});
+
+/// A mesh of polygons as triangles, with face k the polygon k. A face of `faces` lists the
+/// corners of one planar polygon counter-clockwise from outside, convex or not. Throws
+/// `std::invalid_argument`, naming the face, for a corner out of range or fewer than three.
+/// `face_of`, if given, maps each polygon to its face, so that facets of one curved surface can
+/// be one face.
+TriangleMesh triangulate(std::vector<glm::dvec3> points,
+                         std::span<const std::vector<std::uint32_t>> faces,
+                         std::span<const std::uint32_t> face_of = {});
+
+}  // namespace raycat

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "geometry/mesh.hpp"
+
+namespace raycat {
+
+/// The mesh with equal positions welded, positions that no triangle uses left out, and without
+/// the triangles that have two corners at one place; what is left keeps its order. Throws
+/// `std::invalid_argument` unless it encloses a volume, as `ClosedMesh` says.
+TriangleMesh watertight(TriangleMesh mesh);
+
+}  // namespace raycat
