@@ -1,0 +1,259 @@
+#include "csg/solid.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace raycat {
+namespace {
+
+constexpr double relative_tolerance = 1e-7;  // of the half diagonal (DESIGN 7)
+
+constexpr Bounds everywhere{.min = glm::dvec3(-std::numeric_limits<double>::infinity()),
+                            .max = glm::dvec3(std::numeric_limits<double>::infinity())};
+
+// Does the whole line meet the box? A box is closed here, so that nothing is lost to rounding
+// but lines that touch it.
+bool meets(const Ray& ray, const Bounds& box) {
+  double near = -std::numeric_limits<double>::infinity();
+  double far = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double direction = ray.direction[axis];
+    const double low = box.min[axis] - ray.origin[axis];
+    const double high = box.max[axis] - ray.origin[axis];
+    if (direction == 0.0) {
+      if (low > 0.0 || high < 0.0) {
+        return false;
+      }
+      continue;
+    }
+    const double a = low / direction;
+    const double b = high / direction;
+    near = std::max(near, std::min(a, b));
+    far = std::min(far, std::max(a, b));
+  }
+  return near <= far;
+}
+
+// The node's own bounds from those of its operands, added in order.
+void extend(Bounds& node, const CsgTree::Node& operand, const Bounds& bounds, Operation operation) {
+  switch (operation) {
+    case Operation::set_union:
+      node.include(bounds);
+      break;
+    case Operation::intersection:
+      node = intersection(node, bounds);
+      break;
+    case Operation::difference:
+      if (!operand.subtracted) {
+        node = bounds;
+      }
+      break;
+  }
+}
+
+Bounds root_bounds(const CsgTree& tree) {
+  const auto nodes = tree.nodes();
+  std::vector<Bounds> box(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].leaf == CsgTree::no_leaf && nodes[i].operation == Operation::intersection) {
+      box[i] = everywhere;
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].leaf != CsgTree::no_leaf) {
+      box[i] = tree.leaves()[nodes[i].leaf].shape.bounds();
+    }
+    if (nodes[i].parent != CsgTree::no_parent) {
+      extend(box[nodes[i].parent], nodes[i], box[i], nodes[nodes[i].parent].operation);
+    }
+  }
+  return box.back();
+}
+
+}  // namespace
+
+Solid::Solid(CsgTree tree) : tree_(std::move(tree)) {
+  tree_.require_complete();
+  bounds_ = root_bounds(tree_);
+
+  const auto nodes = tree_.nodes();
+  gates_.resize(nodes.size());
+  leaf_node_.resize(tree_.leaves().size());
+  std::vector<std::uint32_t> operands(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    gates_[i].parent = nodes[i].parent;
+    gates_[i].negated = nodes[i].subtracted;
+    if (nodes[i].parent != CsgTree::no_parent) {
+      ++operands[nodes[i].parent];
+    }
+    if (nodes[i].leaf != CsgTree::no_leaf) {
+      leaf_node_[nodes[i].leaf] = static_cast<std::uint32_t>(i);
+    } else if (nodes[i].operation != Operation::set_union) {
+      gates_[i].threshold = operands[i];
+    }
+  }
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const Gate& gate = gates_[i];
+    const bool above = gate.parent != CsgTree::no_parent && gates_[gate.parent].subtracted;
+    gates_[i].subtracted = above != gate.negated;
+  }
+  true_inputs_.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Gate& gate = gates_[i];
+    const bool value = true_inputs_[i] >= gate.threshold;
+    if (gate.parent != CsgTree::no_parent && value != gate.negated) {
+      ++true_inputs_[gate.parent];
+    }
+  }
+
+  Bounds all;
+  for (const CsgLeaf& leaf : tree_.leaves()) {
+    if (leaf.shape.bounds().finite()) {
+      all.include(leaf.shape.bounds());
+    }
+  }
+  tolerance_ = relative_tolerance * (all.empty() ? 1.0 : glm::length(all.half_size()));
+}
+
+bool Solid::inside(const Scratch& scratch) const {
+  return scratch.true_inputs.back() >= gates_.back().threshold;
+}
+
+// Changes the side the line is on of one leaf, and of every node above that follows. Returns
+// whether the root did.
+bool Solid::toggle(std::uint32_t leaf, Scratch& scratch) const {
+  std::uint32_t node = leaf_node_[leaf];
+  bool value = scratch.true_inputs[node] == 0;
+  scratch.true_inputs[node] = value ? 1 : 0;
+  for (;;) {
+    scratch.changed[node] ^= 1;
+    scratch.touched.push_back(node);
+    const Gate& gate = gates_[node];
+    if (gate.parent == CsgTree::no_parent) {
+      return true;
+    }
+    const std::uint32_t threshold = gates_[gate.parent].threshold;
+    std::uint32_t& inputs = scratch.true_inputs[gate.parent];
+    const bool before = inputs >= threshold;
+    inputs = value != gate.negated ? inputs + 1 : inputs - 1;
+    const bool after = inputs >= threshold;
+    if (before == after) {
+      return false;
+    }
+    node = gate.parent;
+    value = after;
+  }
+}
+
+void Solid::gather(const Ray& ray, Scratch& scratch) const {
+  const auto leaves = tree_.leaves();
+  for (std::uint32_t i = 0; i < leaves.size(); ++i) {
+    const PlacedShape& shape = leaves[i].shape;
+    if (!meets(ray, shape.bounds())) {
+      continue;
+    }
+    const auto first = static_cast<std::uint32_t>(scratch.crossings.size());
+    if (shape.cross_local(ray, scratch.crossings)) {
+      toggle(i, scratch);
+    }
+    for (std::uint32_t k = first; k < scratch.crossings.size(); ++k) {
+      scratch.events.push_back({.t = scratch.crossings[k].t, .leaf = i, .crossing = k});
+    }
+  }
+  std::ranges::sort(scratch.events, [](const auto& a, const auto& b) {
+    return std::tie(a.t, a.crossing) < std::tie(b.t, b.crossing);
+  });
+}
+
+void Solid::report_group(std::size_t begin, std::size_t end, Scratch& scratch) const {
+  for (const std::uint32_t node : scratch.touched) {
+    scratch.changed[node] = 0;
+  }
+  scratch.touched.clear();
+  for (std::size_t i = begin; i < end; ++i) {
+    toggle(scratch.events[i].leaf, scratch);
+  }
+  if (scratch.changed[gates_.size() - 1] == 0) {
+    return;
+  }
+  const auto responsible = [&](std::uint32_t leaf) {
+    std::uint32_t node = leaf_node_[leaf];
+    while (scratch.changed[node] != 0 && gates_[node].parent != CsgTree::no_parent) {
+      node = gates_[node].parent;
+    }
+    return scratch.changed[node] != 0;
+  };
+  const auto rank = [&](const Scratch::Event& event) {
+    const std::uint32_t face = scratch.crossings[event.crossing].face;
+    return std::tuple(gates_[leaf_node_[event.leaf]].subtracted,
+                      static_cast<std::uint32_t>(tree_.leaves()[event.leaf].first_face) + face);
+  };
+  const Scratch::Event* best = nullptr;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Scratch::Event& event = scratch.events[i];
+    const std::uint32_t node = leaf_node_[event.leaf];
+    // A leaf crossed to and fro and to again is met where it goes the way it went on the whole.
+    const bool entered = scratch.true_inputs[node] != 0;
+    if (scratch.crossings[event.crossing].entering == entered && responsible(event.leaf) &&
+        (best == nullptr || rank(event) < rank(*best))) {
+      best = &event;
+    }
+  }
+  assert(best != nullptr);
+  const Crossing& crossing = scratch.crossings[best->crossing];
+  scratch.boundaries.push_back({.t = crossing.t,
+                                .leaf = best->leaf,
+                                .face = crossing.face,
+                                .entering = inside(scratch),
+                                .subtracted = gates_[leaf_node_[best->leaf]].subtracted,
+                                .normal = crossing.normal});
+}
+
+bool Solid::cross(const Ray& ray, Scratch& scratch) const {
+  scratch.boundaries.clear();
+  scratch.crossings.clear();
+  if (gates_.size() == 1) {
+    const bool starts_inside = tree_.leaves().front().shape.cross_local(ray, scratch.crossings);
+    for (const Crossing& crossing : scratch.crossings) {
+      scratch.boundaries.push_back({.t = crossing.t,
+                                    .face = crossing.face,
+                                    .entering = crossing.entering,
+                                    .normal = crossing.normal});
+    }
+    return starts_inside;
+  }
+  if (!meets(ray, bounds_)) {
+    return false;
+  }
+  scratch.events.clear();
+  scratch.touched.clear();
+  scratch.true_inputs = true_inputs_;
+  scratch.changed.assign(gates_.size(), 0);
+  gather(ray, scratch);
+  const bool starts_inside = inside(scratch);
+
+  const double group_length = tolerance_ / glm::length(ray.direction);
+  for (std::size_t begin = 0; begin < scratch.events.size();) {
+    const double last = scratch.events[begin].t + group_length;
+    std::size_t end = begin + 1;
+    while (end < scratch.events.size() && scratch.events[end].t <= last) {
+      ++end;
+    }
+    report_group(begin, end, scratch);
+    begin = end;
+  }
+  return starts_inside;
+}
+
+glm::dvec3 Solid::normal(const Boundary& boundary) const noexcept {
+  const glm::dvec3 outward =
+      tree_.leaves()[boundary.leaf].shape.transform().normal(boundary.normal);
+  return boundary.subtracted ? -outward : outward;
+}
+
+}  // namespace raycat

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csg/tree.hpp"
+#include "geometry/bounds.hpp"
+#include "geometry/crossing.hpp"
+#include "geometry/ray.hpp"
+#include "geometry/surface_id.hpp"
+
+namespace raycat {
+
+/// One passage of a line through the boundary of a solid.
+struct Boundary {
+  double t = 0.0;           ///< in units of the ray's direction
+  std::uint32_t leaf = 0;   ///< the responsible leaf, an index into the tree's `leaves()`
+  std::uint32_t face = 0;   ///< of that leaf, from 0
+  bool entering = true;     ///< does the line go into the solid here?
+  bool subtracted = false;  ///< does the leaf's solid lie on the outer side?
+  glm::dvec3 normal{0.0};   ///< of the leaf's shape, in the shape's frame; see `Solid::normal`
+};
+
+/// The boundary of a CSG tree, for rays. A lone shape is a tree of one leaf.
+///
+/// Evaluated by events on the whole line (DESIGN 7): the crossings of all leaves are sorted and
+/// those within `tolerance` of a group's first are taken as one point; the leaves they belong to
+/// change sides, the change goes up the tree, and where the root changes a boundary is
+/// reported. Coincident faces therefore leave no skin. Of the leaves in a group, those are
+/// responsible that changed across the group together with all their ancestors; the boundary is
+/// the one with the least (is subtracted, surface id) among them, whatever the operands' order.
+class Solid {
+ public:
+  /// Buffers that a thread reuses from ray to ray, for any solids.
+  struct Scratch;
+
+  /// Crossings closer than 1e-7 of the half diagonal of the leaves' bounds are one point. Throws
+  /// `std::invalid_argument` as `CsgTree::require_complete` does.
+  explicit Solid(CsgTree tree);
+
+  /// Sets `scratch.boundaries` to all passages through the boundary along the whole line, in
+  /// ascending t, entering and leaving in turn. Returns whether the line is inside at
+  /// t -> -infinity.
+  bool cross(const Ray& ray, Scratch& scratch) const;
+
+  /// The unit normal in the world, out of the final solid: a subtracted surface's is flipped.
+  glm::dvec3 normal(const Boundary& boundary) const noexcept;
+
+  SurfaceId surface(const Boundary& boundary) const noexcept {
+    return SurfaceId{static_cast<std::uint32_t>(tree_.leaves()[boundary.leaf].first_face) +
+                     boundary.face};
+  }
+
+  /// A box around the solid, no larger than its operands' boxes make necessary. Infinite sides
+  /// if a half-space leaves it unbounded; may be empty.
+  const Bounds& bounds() const noexcept { return bounds_; }
+
+  const CsgTree& tree() const noexcept { return tree_; }
+
+ private:
+  // A node as a threshold gate: it is true when at least `threshold` of its inputs are.
+  struct Gate {
+    std::uint32_t parent = CsgTree::no_parent;
+    std::uint32_t threshold = 1;
+    bool negated = false;     // counts for its parent where it is false
+    bool subtracted = false;  // an odd number of negations up to the root
+  };
+
+  void gather(const Ray& ray, Scratch& scratch) const;
+  bool toggle(std::uint32_t leaf, Scratch& scratch) const;
+  void report_group(std::size_t begin, std::size_t end, Scratch& scratch) const;
+  bool inside(const Scratch& scratch) const;
+
+  CsgTree tree_;
+  double tolerance_ = 0.0;  // in scene units
+  Bounds bounds_;
+  std::vector<Gate> gates_;  // one a node
+  std::vector<std::uint32_t> leaf_node_;
+  std::vector<std::uint32_t> true_inputs_;  // of each node while every leaf is false
+};
+
+struct Solid::Scratch {
+  std::vector<Boundary> boundaries;
+
+ private:
+  friend class Solid;
+
+  struct Event {
+    double t = 0.0;
+    std::uint32_t leaf = 0;
+    std::uint32_t crossing = 0;
+  };
+
+  Crossings crossings;
+  std::vector<Event> events;
+  std::vector<std::uint32_t> true_inputs;  // of each node at this point of the line
+  std::vector<std::uint8_t> changed;       // did the node change across the group?
+  std::vector<std::uint32_t> touched;      // nodes whose `changed` has been written
+};
+
+}  // namespace raycat
