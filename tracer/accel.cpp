@@ -1,0 +1,459 @@
+#include "tracer/accel.hpp"
+
+#include <array>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtx/component_wise.hpp>
+
+namespace raycat {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double float_ulp = 0x1p-23;
+constexpr double double_ulp = 0x1p-52;
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
+using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
+
+struct Triangle {
+  glm::dvec3 a, b, c;
+};
+
+Triangle corners(const MeshInstance& instance, std::uint32_t triangle) {
+  const TriangleMesh& mesh = instance.mesh->triangles;
+  const glm::uvec3 i = mesh.triangles[triangle];
+  return {.a = mesh.positions[i.x], .b = mesh.positions[i.y], .c = mesh.positions[i.z]};
+}
+
+double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
+
+// One ray under way through Embree. The context comes first, so that callbacks find the rest.
+struct Query {
+  RTCIntersectContext context;
+  const Ray* ray = nullptr;
+  double start = 0.0;  // where Embree's t = 0 is on the ray
+  double t_end = infinity;
+  Solid::Scratch* scratch = nullptr;
+
+  const SolidObject* solid = nullptr;  // the closest so far, and where it is met
+  Boundary boundary;
+
+  glm::vec3 light{1.0f};  // what has passed so far
+
+  // Where it has passed through meshes. Embree may report both triangles at an edge.
+  struct Passage {
+    unsigned mesh = 0;
+    float t = 0.0f;
+  };
+  std::array<Passage, 16> passages;
+  std::size_t passage_count = 0;
+};
+
+Query& query_of(RTCIntersectContext* context) { return *reinterpret_cast<Query*>(context); }
+
+const Boundary* first_after(const Solid::Scratch& scratch, double t) {
+  for (const Boundary& boundary : scratch.boundaries) {
+    if (boundary.t > t) {
+      return &boundary;
+    }
+  }
+  return nullptr;
+}
+
+// Keeps the solid's first boundary if it is closer than `query.t_end`, and tells whether it is.
+bool try_closest(const SolidObject& object, Query& query) {
+  object.solid.cross(*query.ray, *query.scratch);
+  const Boundary* boundary = first_after(*query.scratch, 0.0);
+  if (boundary == nullptr || boundary->t >= query.t_end) {
+    return false;
+  }
+  query.solid = &object;
+  query.boundary = *boundary;
+  query.t_end = boundary->t;
+  return true;
+}
+
+// Weakens the light by the solid's boundaries before `query.t_end`; false if none is left.
+bool let_through(const SolidObject& object, const Scene& scene, Query& query) {
+  object.solid.cross(*query.ray, *query.scratch);
+  for (const Boundary& boundary : query.scratch->boundaries) {
+    if (boundary.t > 0.0 && boundary.t < query.t_end) {
+      const MaterialId material = object.materials[boundary.leaf];
+      query.light *=
+          transmission(scene.materials[static_cast<std::size_t>(material)], glm::vec4(1.0f));
+    }
+  }
+  return query.light != glm::vec3(0.0f);
+}
+
+}  // namespace
+
+struct Accel::Index {
+  explicit Index(const Scene& scene_in) : scene(scene_in) {}
+
+  const Scene& scene;
+  Device device{rtcNewDevice(nullptr)};
+  EmbreeScene embree;
+  glm::dvec3 centre{0.0};  // of Embree's frame in the world
+  Bounds box;              // around all that Embree holds, with room for rounding
+  double padding = 0.0;    // what rounding a ray to float may move it within the box
+  std::vector<const SolidObject*> bounded;
+  std::vector<const SolidObject*> unbounded;
+
+  void place();
+  void add_mesh(const MeshInstance& instance);
+  void add_solids();
+  bool start(const Ray& ray, Query& query, RTCRay& out) const;
+  Hit mesh_hit(const Ray& ray, const RTCRayHit& found) const;
+};
+
+namespace {
+
+void solid_bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  const Bounds& box = index.bounded[args->primID]->solid.bounds();
+  const glm::vec3 low(box.min - index.centre - index.padding);
+  const glm::vec3 high(box.max - index.centre + index.padding);
+  *args->bounds_o = {.lower_x = low.x,
+                     .lower_y = low.y,
+                     .lower_z = low.z,
+                     .align0 = 0,
+                     .upper_x = high.x,
+                     .upper_y = high.y,
+                     .upper_z = high.z,
+                     .align1 = 0};
+}
+
+void solid_intersect(const RTCIntersectFunctionNArguments* args) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  Query& query = query_of(args->context);
+  if (*args->valid != 0 && try_closest(*index.bounded[args->primID], query)) {
+    auto& found = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+    // Rounded up, so that what is closer than this by less than a float can tell is still tried.
+    const float tfar = std::nextafter(static_cast<float>(query.t_end - query.start),
+                                      std::numeric_limits<float>::infinity());
+    if (tfar < found.ray.tfar) {  // else a triangle has been found in front of it
+      found.ray.tfar = tfar;
+      found.hit.geomID = args->geomID;
+      found.hit.primID = args->primID;
+    }
+  }
+}
+
+void solid_occluded(const RTCOccludedFunctionNArguments* args) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  if (*args->valid != 0 &&
+      !let_through(*index.bounded[args->primID], index.scene, query_of(args->context))) {
+    reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
+  }
+}
+
+glm::vec4 base_of(const RTCFilterFunctionNArguments* args) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  return base_colour(index.scene, index.scene.meshes[hit.geomID], hit.primID, {hit.u, hit.v});
+}
+
+const Material& material_of(const RTCFilterFunctionNArguments* args) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const MaterialId id = index.scene.meshes[hit.geomID].material;
+  return index.scene.materials[static_cast<std::size_t>(id)];
+}
+
+bool masked(const Material& material, const glm::vec4& base) {
+  return material.alpha * base.a < material.alpha_cutoff;
+}
+
+void mask_filter(const RTCFilterFunctionNArguments* args) {
+  if (masked(material_of(args), base_of(args))) {
+    *args->valid = 0;
+  }
+}
+
+// Is this the first triangle reported of one passage through a mesh?
+bool first_of_passage(const RTCFilterFunctionNArguments* args, Query& query) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  const unsigned mesh = reinterpret_cast<const RTCHit*>(args->hit)->geomID;
+  const float t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
+  const auto near = static_cast<float>(index.padding / glm::length(query.ray->direction));
+  for (std::size_t i = 0; i < query.passage_count; ++i) {
+    if (query.passages[i].mesh == mesh && std::abs(query.passages[i].t - t) <= near) {
+      return false;
+    }
+  }
+  if (query.passage_count < query.passages.size()) {
+    query.passages[query.passage_count++] = {.mesh = mesh, .t = t};
+  }
+  return true;
+}
+
+void light_filter(const RTCFilterFunctionNArguments* args) {
+  const Material& material = material_of(args);
+  const glm::vec4 base = base_of(args);
+  Query& query = query_of(args->context);
+  if (!masked(material, base) && first_of_passage(args, query)) {
+    query.light *= transmission(material, base);
+  }
+  if (query.light != glm::vec3(0.0f)) {
+    *args->valid = 0;
+  }
+}
+
+}  // namespace
+
+// Embree works in float around the middle of the scene, where floats are finest.
+void Accel::Index::place() {
+  for (const SolidObject& object : scene.solids) {
+    const Bounds& solid = object.solid.bounds();
+    if (solid.empty()) {
+      continue;
+    }
+    (solid.finite() ? bounded : unbounded).push_back(&object);
+    if (solid.finite()) {
+      box.include(solid);
+    }
+  }
+  for (const MeshInstance& instance : scene.meshes) {
+    box.include(instance.transform.bounds(raycat::bounds(instance.mesh->triangles)));
+  }
+  if (!box.empty()) {
+    centre = box.center();
+    padding = 8 * float_ulp * greatest(box.half_size());
+    box.min -= padding;
+    box.max += padding;
+  }
+  // Past a fifth of a float's range Embree takes a coordinate for infinite.
+  if (!box.empty() && !(greatest(box.half_size()) < 1e18)) {
+    throw std::length_error("a scene spans at most 1e18 units");
+  }
+}
+
+void Accel::Index::add_mesh(const MeshInstance& instance) {
+  const TriangleMesh& mesh = instance.mesh->triangles;
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               mesh.positions.size()));
+  for (const glm::dvec3& position : mesh.positions) {
+    const glm::vec3 p(instance.transform.point(position) - centre);
+    *vertices++ = p.x;
+    *vertices++ = p.y;
+    *vertices++ = p.z;
+  }
+  static_assert(sizeof(glm::uvec3) == 3 * sizeof(unsigned));
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(glm::uvec3), mesh.triangles.size());
+  rtcSetGeometryUserData(geometry, this);
+  const Material& material = scene.materials[static_cast<std::size_t>(instance.material)];
+  if (material.alpha_cutoff > 0.0f) {
+    rtcSetGeometryIntersectFilterFunction(geometry, mask_filter);
+  }
+  if (material.alpha_cutoff > 0.0f || material.blend || material.transmission != glm::vec3(0.0f)) {
+    rtcSetGeometryOccludedFilterFunction(geometry, light_filter);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(embree.get(), geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+void Accel::Index::add_solids() {
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(bounded.size()));
+  rtcSetGeometryUserData(geometry, this);
+  rtcSetGeometryBoundsFunction(geometry, solid_bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, solid_intersect);
+  rtcSetGeometryOccludedFunction(geometry, solid_occluded);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(embree.get(), geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+// Makes Embree's ray, from where `ray` enters the scene's box. False if it does not, or not
+// before `query.t_end`.
+bool Accel::Index::start(const Ray& ray, Query& query, RTCRay& out) const {
+  double near = 0.0;
+  double far = query.t_end;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.min[axis] - ray.origin[axis];
+    const double high = box.max[axis] - ray.origin[axis];
+    const double direction = ray.direction[axis];
+    if (direction == 0.0) {
+      if (low > 0.0 || high < 0.0) {
+        return false;
+      }
+      continue;
+    }
+    const double a = low / direction;
+    const double b = high / direction;
+    near = std::max(near, std::min(a, b));
+    far = std::min(far, std::max(a, b));
+  }
+  if (!(near <= far)) {
+    return false;
+  }
+  query.start = near;
+  const glm::vec3 origin(ray.at(near) - centre);
+  const glm::vec3 direction(ray.direction);
+  const auto tfar = static_cast<float>(query.t_end - near);
+  out = {.org_x = origin.x,
+         .org_y = origin.y,
+         .org_z = origin.z,
+         .tnear = 0.0f,
+         .dir_x = direction.x,
+         .dir_y = direction.y,
+         .dir_z = direction.z,
+         .time = 0.0f,
+         .tfar = std::nextafter(tfar, std::numeric_limits<float>::infinity()),
+         .mask = ~0u,
+         .id = 0,
+         .flags = 0};
+  return true;
+}
+
+// Meets the triangle that Embree found again in double precision.
+Hit Accel::Index::mesh_hit(const Ray& ray, const RTCRayHit& found) const {
+  const MeshInstance& instance = scene.meshes[found.hit.geomID];
+  const Triangle triangle = corners(instance, found.hit.primID);
+  const Ray local = instance.transform.to_local(ray);
+  const glm::dvec3 ab = triangle.b - triangle.a;
+  const glm::dvec3 ac = triangle.c - triangle.a;
+  const glm::dvec3 normal = glm::cross(ab, ac);
+  const glm::dvec3 from = local.origin - triangle.a;
+  const double facing = glm::dot(normal, local.direction);
+  const glm::dvec3 turn = glm::cross(from, local.direction);
+  const std::uint32_t face = instance.mesh->triangles.faces[found.hit.primID];
+  return {.t = -glm::dot(normal, from) / facing,
+          .surface = SurfaceId{static_cast<std::uint32_t>(instance.first_face) + face},
+          .material = instance.material,
+          .entering = facing < 0.0,
+          .normal = instance.transform.normal(normal),
+          .mesh = &instance,
+          .triangle = found.hit.primID,
+          .barycentric = {glm::clamp(glm::dot(ac, turn) / -facing, 0.0, 1.0),
+                          glm::clamp(glm::dot(ab, turn) / facing, 0.0, 1.0)}};
+}
+
+Accel::Accel(const Scene& scene) : scene_(scene), index_(std::make_unique<Index>(scene)) {
+  Index& index = *index_;
+  if (!index.device) {
+    throw std::runtime_error("Embree cannot start on this machine");
+  }
+  index.place();
+  index.embree.reset(rtcNewScene(index.device.get()));
+  rtcSetSceneFlags(index.embree.get(), RTC_SCENE_FLAG_ROBUST);
+  for (const MeshInstance& instance : scene.meshes) {
+    index.add_mesh(instance);
+  }
+  if (!index.bounded.empty()) {
+    index.add_solids();
+  }
+  rtcCommitScene(index.embree.get());
+  if (const RTCError error = rtcGetDeviceError(index.device.get()); error != RTC_ERROR_NONE) {
+    throw std::runtime_error(
+        error == RTC_ERROR_OUT_OF_MEMORY
+            ? std::string("out of memory building the scene's BVH")
+            : fmt::format("Embree failed with error {}", static_cast<int>(error)));
+  }
+}
+
+Accel::~Accel() = default;
+
+std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch) const {
+  Query query{.context = {}, .ray = &ray, .scratch = &scratch};
+  for (const SolidObject* object : index_->unbounded) {
+    try_closest(*object, query);
+  }
+  RTCRayHit found;
+  found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  if (index_->start(ray, query, found.ray)) {
+    rtcInitIntersectContext(&query.context);
+    rtcIntersect1(index_->embree.get(), &query.context, &found);
+  }
+  if (found.hit.geomID < scene_.meshes.size()) {
+    const Hit hit = index_->mesh_hit(ray, found);
+    if (hit.t < query.t_end) {
+      return hit;
+    }
+  }
+  if (query.solid == nullptr) {
+    return std::nullopt;
+  }
+  const Solid& solid = query.solid->solid;
+  return Hit{.t = query.boundary.t,
+             .surface = solid.surface(query.boundary),
+             .material = query.solid->materials[query.boundary.leaf],
+             .entering = query.boundary.entering,
+             .normal = solid.normal(query.boundary)};
+}
+
+glm::vec3 Accel::transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch) const {
+  Query query{.context = {}, .ray = &ray, .t_end = t_end, .scratch = &scratch};
+  for (const SolidObject* object : index_->unbounded) {
+    if (!let_through(*object, scene_, query)) {
+      return glm::vec3(0.0f);
+    }
+  }
+  RTCRay shadow;
+  if (index_->start(ray, query, shadow)) {
+    rtcInitIntersectContext(&query.context);
+    rtcOccluded1(index_->embree.get(), &query.context, &shadow);
+    if (shadow.tfar < 0.0f) {
+      return glm::vec3(0.0f);
+    }
+  }
+  return query.light;
+}
+
+glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal) const {
+  const glm::dvec3 point = ray.at(hit.t);
+  if (hit.mesh == nullptr) {
+    const double error = 0x1p20 * double_ulp * std::max(greatest(point), greatest(ray.origin));
+    return point + error * normal;
+  }
+  const Triangle triangle = corners(*hit.mesh, hit.triangle);
+  double scale = greatest(point - index_->centre);
+  for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c}) {
+    scale = std::max(scale, greatest(hit.mesh->transform.point(corner) - index_->centre));
+  }
+  return point + 4 * float_ulp * scale * normal;
+}
+
+glm::vec4 base_colour(const Scene& scene, const MeshInstance& mesh, std::uint32_t triangle,
+                      const glm::dvec2& barycentric) {
+  const SurfaceMesh& surface = *mesh.mesh;
+  const glm::uvec3 i = surface.triangles.triangles[triangle];
+  const auto v = glm::vec2(barycentric);
+  const glm::vec3 weight(1.0f - v.x - v.y, v.x, v.y);
+  glm::vec4 base(1.0f);
+  if (!surface.colours.empty()) {
+    base = weight.x * surface.colours[i.x] + weight.y * surface.colours[i.y] +
+           weight.z * surface.colours[i.z];
+  }
+  const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+  if (material.base_texture && !surface.texture_coordinates.empty()) {
+    const glm::vec2 uv = weight.x * surface.texture_coordinates[i.x] +
+                         weight.y * surface.texture_coordinates[i.y] +
+                         weight.z * surface.texture_coordinates[i.z];
+    base *= scene.textures[static_cast<std::size_t>(*material.base_texture)].sample(uv);
+  }
+  return base;
+}
+
+glm::vec3 transmission(const Material& material, const glm::vec4& base) {
+  return material.blend ? glm::vec3(1.0f - glm::min(1.0f, material.alpha * base.a))
+                        : material.transmission;
+}
+
+}  // namespace raycat

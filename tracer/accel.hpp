@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "csg/solid.hpp"
+#include "tracer/scene.hpp"
+
+namespace raycat {
+
+/// Where a ray meets a surface of the scene.
+struct Hit {
+  double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
+  SurfaceId surface{};
+  MaterialId material{};
+  bool entering = true;                ///< does the ray go into the object here?
+  glm::dvec3 normal{0.0};              ///< unit, out of the object
+  const MeshInstance* mesh = nullptr;  ///< null if a solid was hit
+  std::uint32_t triangle = 0;
+  glm::dvec2 barycentric{0.0};  ///< of the triangle's second and third corner
+};
+
+/// Finds what rays hit: one Embree scene of triangles, met again in double precision, and of
+/// solids, evaluated in double (DESIGN 8). Unbounded solids are tried one by one. Holds a
+/// reference to the scene.
+class Accel {
+ public:
+  explicit Accel(const Scene& scene);
+  ~Accel();
+  Accel(const Accel&) = delete;
+  Accel& operator=(const Accel&) = delete;
+
+  /// The first surface past t = 0, if there is one. Start rays that leave a surface with
+  /// `leave`.
+  std::optional<Hit> closest(const Ray& ray, Solid::Scratch& scratch) const;
+
+  /// How much light passes from t = 0 to `t_end`: the product of the k_t of all surfaces
+  /// between, zero behind an opaque one.
+  glm::vec3 transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch) const;
+
+  /// A point by `hit`, on the side that `normal` points to, from which rays do not meet the same
+  /// surface again. The offset follows from the precision of the hit: that of the double
+  /// crossing on solids, that of Embree's float vertices on triangles.
+  glm::dvec3 leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal) const;
+
+  const Scene& scene() const noexcept { return scene_; }
+
+  struct Index;  ///< Embree's side, which its callbacks see
+
+ private:
+  const Scene& scene_;
+  std::unique_ptr<Index> index_;
+};
+
+/// The material's base texture and the vertices' colour at a hit, linear RGBA: what the base
+/// colour factors are multiplied with.
+glm::vec4 base_colour(const Scene& scene, const MeshInstance& mesh, std::uint32_t triangle,
+                      const glm::dvec2& barycentric);
+
+/// The part of the light that a material lets through at a point of base colour `base`.
+glm::vec3 transmission(const Material& material, const glm::vec4& base);
+
+}  // namespace raycat

@@ -1,0 +1,89 @@
+#include "tracer/camera.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace raycat {
+namespace {
+
+constexpr double default_fov = 0.6981317007977318;  // radians; 40 degrees
+
+bool finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// A unit vector that is perpendicular to `axis`.
+glm::dvec3 perpendicular(const glm::dvec3& axis) {
+  const glm::dvec3 a = glm::abs(axis);
+  const glm::dvec3 least = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
+                           : a.y <= a.z             ? glm::dvec3(0, 1, 0)
+                                                    : glm::dvec3(0, 0, 1);
+  return glm::normalize(glm::cross(axis, least));
+}
+
+}  // namespace
+
+Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
+  if (!finite(eye) || !finite(target) || !finite(up)) {
+    throw std::invalid_argument("eye, target and up of a view must be finite numbers");
+  }
+  const glm::dvec3 way = target - eye;
+  const double distance = glm::length(way);
+  if (!(distance > 0.0) || !std::isfinite(distance)) {
+    throw std::invalid_argument("eye and target of a view must differ");
+  }
+  Camera camera{.eye = eye, .forward = way / distance, .half_height = std::tan(default_fov / 2)};
+  const glm::dvec3 right = glm::cross(camera.forward, up);
+  camera.right = glm::length(right) > 1e-9 * glm::length(up) ? glm::normalize(right)
+                                                             : perpendicular(camera.forward);
+  camera.up = glm::cross(camera.right, camera.forward);
+  return camera;
+}
+
+Camera frame(const Bounds& bounds, const glm::dvec3& up, double aspect, bool orthographic) {
+  const bool nothing = bounds.empty() || !bounds.finite();
+  const glm::dvec3 target = nothing ? glm::dvec3(0.0) : bounds.center();
+  const double radius = nothing ? 1.0 : glm::length(bounds.half_size());
+  const double margin = 1.05 * (radius > 0.0 ? radius : 1.0);
+  // Front right and above: 35 degrees round, 25 degrees up, whichever axis is up.
+  const glm::dvec3 side(1.0, 0.0, 0.0);
+  const glm::dvec3 front = glm::cross(side, up);
+  const double round = 0.6108652381980153;
+  const double rise = 0.4363323129985824;
+  const glm::dvec3 towards_eye =
+      std::cos(rise) * (std::sin(round) * side + std::cos(round) * front) + std::sin(rise) * up;
+  const double half_fov = default_fov / 2;
+  const double narrow = std::min(1.0, aspect);
+  const double distance = margin / std::sin(std::atan(std::tan(half_fov) * narrow));
+  Camera camera = look_at(target + distance * towards_eye, target, up);
+  camera.orthographic = orthographic;
+  camera.half_height = orthographic ? margin / narrow : std::tan(half_fov);
+  return camera;
+}
+
+ImagePlane::ImagePlane(const Camera& camera, int width, int height)
+    : camera_(camera),
+      pixel_(2.0 * camera.half_height / height),
+      centre_x_(0.5 * width),
+      centre_y_(0.5 * height) {}
+
+Ray ImagePlane::ray(double x, double y) const noexcept {
+  const glm::dvec3 across =
+      pixel_ * ((x - centre_x_) * camera_.right - (y - centre_y_) * camera_.up);
+  if (camera_.orthographic) {
+    return {.origin = camera_.eye + across, .direction = camera_.forward};
+  }
+  return {.origin = camera_.eye, .direction = glm::normalize(camera_.forward + across)};
+}
+
+glm::dvec2 ImagePlane::project(const glm::dvec3& point) const noexcept {
+  const glm::dvec3 way = point - camera_.eye;
+  const double scale = (camera_.orthographic ? 1.0 : 1.0 / glm::dot(way, camera_.forward)) / pixel_;
+  return {centre_x_ + scale * glm::dot(way, camera_.right),
+          centre_y_ - scale * glm::dot(way, camera_.up)};
+}
+
+}  // namespace raycat

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "geometry/bounds.hpp"
+#include "geometry/ray.hpp"
+
+namespace raycat {
+
+/// A pinhole or orthographic camera. Pixels are square; the image's height spans the field of
+/// view and its width follows.
+struct Camera {
+  std::string name;
+  glm::dvec3 eye{0.0, 0.0, 0.0};
+  glm::dvec3 right{1.0, 0.0, 0.0};     ///< unit
+  glm::dvec3 up{0.0, 1.0, 0.0};        ///< unit
+  glm::dvec3 forward{0.0, 0.0, -1.0};  ///< unit; the three are perpendicular
+  bool orthographic = false;
+  double half_height = 0.5;  ///< of the view: at unit distance, or of the slab if orthographic
+};
+
+/// Points `camera` from `eye` to `target`. Throws `std::invalid_argument` if they coincide, or a
+/// coordinate is not finite. If `up` is along the view, another is chosen.
+Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
+
+/// Views `bounds` whole from a three-quarter view, for files without a camera: from the front
+/// right and above, with `up` (+Y or +Z) upright. `aspect` is width over height.
+Camera frame(const Bounds& bounds, const glm::dvec3& up, double aspect, bool orthographic);
+
+/// An image plane of `width` x `height` pixels for a camera.
+class ImagePlane {
+ public:
+  ImagePlane(const Camera& camera, int width, int height);
+
+  /// The ray through the point (x, y) in pixels from the top left corner of the image: the
+  /// centre of pixel (i, j) is (i + 0.5, j + 0.5). The direction is of unit length.
+  Ray ray(double x, double y) const noexcept;
+
+  /// Where `point` is seen, in pixels. Points behind the camera give no sensible place.
+  glm::dvec2 project(const glm::dvec3& point) const noexcept;
+
+ private:
+  Camera camera_;
+  double pixel_;  // side of a pixel on the plane
+  double centre_x_;
+  double centre_y_;
+};
+
+}  // namespace raycat

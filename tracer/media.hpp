@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+#include "geometry/surface_table.hpp"
+#include "tracer/ray_tree.hpp"
+
+namespace raycat {
+
+/// The transparent objects that a ray is inside of, the innermost last: nested dielectrics, told
+/// by where rays enter and leave. Around all of them is the air, of index 1.
+class Media {
+ public:
+  Media() = default;
+  Media(const Media& other) noexcept { *this = other; }
+  Media& operator=(const Media& other) noexcept {
+    count_ = other.count_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      inside_[i] = other.inside_[i];
+    }
+    return *this;
+  }
+
+  /// Index of refraction of what the ray travels in.
+  float ior() const noexcept { return count_ == 0 ? 1.0f : inside_[count_ - 1].ior; }
+
+  /// With the ray gone into `object`.
+  Media entered(ObjectId object, float ior) const noexcept {
+    assert(count_ < inside_.size());
+    Media media(*this);
+    media.inside_[media.count_++] = {.object = object, .ior = ior};
+    return media;
+  }
+
+  /// With the ray gone out of `object`, wherever in the nesting that is. As it was if the ray
+  /// was not inside: it started there.
+  Media left(ObjectId object) const noexcept {
+    Media media(*this);
+    for (std::size_t i = media.count_; i-- > 0;) {
+      if (media.inside_[i].object == object) {
+        --media.count_;
+        for (; i < media.count_; ++i) {
+          media.inside_[i] = media.inside_[i + 1];
+        }
+        break;
+      }
+    }
+    return media;
+  }
+
+ private:
+  struct Inside {
+    ObjectId object;
+    float ior;
+  };
+
+  std::size_t count_ = 0;
+  std::array<Inside, most_levels> inside_;  // a ray enters at most one a level
+};
+
+}  // namespace raycat

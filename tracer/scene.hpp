@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "csg/solid.hpp"
+#include "geometry/mesh.hpp"
+#include "geometry/placed_shape.hpp"
+#include "geometry/surface_table.hpp"
+#include "tracer/camera.hpp"
+#include "tracer/light.hpp"
+#include "tracer/material.hpp"
+#include "tracer/texture.hpp"
+
+namespace raycat {
+
+/// Triangles with what shading needs. Attributes are per vertex, or absent.
+struct SurfaceMesh {
+  TriangleMesh triangles;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> texture_coordinates;  ///< of the base texture, its transform applied
+  std::vector<glm::vec4> colours;              ///< linear
+};
+
+/// A mesh that is seen as it is, open or closed: one glTF primitive placed by one node.
+struct MeshInstance {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  Affine transform;
+  MaterialId material{};
+  SurfaceId first_face{};
+};
+
+/// A lone shape or a CSG tree.
+struct SolidObject {
+  Solid solid;
+  std::vector<MaterialId> materials;  ///< one a leaf
+};
+
+/// All that is seen, lit and looked from. Does not change once built.
+struct Scene {
+  SurfaceTable surfaces;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<MeshInstance> meshes;
+  std::vector<SolidObject> solids;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  glm::vec3 background{0.8f, 0.85f, 0.9f};
+  glm::vec3 ambient_light{0.2f};  ///< S_a
+};
+
+/// Around everything that is bounded; empty for a scene without bounded objects.
+Bounds bounds(const Scene& scene);
+
+}  // namespace raycat

@@ -1,0 +1,241 @@
+#include "tracer/tracer.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtx/component_wise.hpp>
+
+namespace raycat {
+namespace {
+
+const glm::vec3 black(0.0f);
+
+glm::vec4 base_at(const Scene& scene, const Hit& hit) {
+  return hit.mesh == nullptr ? glm::vec4(1.0f)
+                             : base_colour(scene, *hit.mesh, hit.triangle, hit.barycentric);
+}
+
+// The interpolated normal where the mesh has normals; it can fail to be one, and then the
+// triangle's own serves.
+glm::dvec3 shading_normal(const Hit& hit) {
+  if (hit.mesh == nullptr || hit.mesh->mesh->normals.empty()) {
+    return hit.normal;
+  }
+  const SurfaceMesh& surface = *hit.mesh->mesh;
+  const glm::uvec3 i = surface.triangles.triangles[hit.triangle];
+  const glm::dvec2 v = hit.barycentric;
+  const glm::dvec3 local = (1.0 - v.x - v.y) * glm::dvec3(surface.normals[i.x]) +
+                           v.x * glm::dvec3(surface.normals[i.y]) +
+                           v.y * glm::dvec3(surface.normals[i.z]);
+  const glm::dvec3 normal = hit.mesh->transform.normal(local);
+  return glm::dot(normal, hit.normal) > 0.0 ? normal : hit.normal;
+}
+
+struct Illumination {
+  glm::dvec3 way{0.0};  // unit, towards the light
+  double distance = std::numeric_limits<double>::infinity();
+  float strength = 0.0f;
+};
+
+// KHR_lights_punctual: a spot fades smoothly from its inner to its outer cone.
+float cone(const Light& light, const glm::dvec3& way) {
+  const double cosine = -glm::dot(way, light.direction);
+  const double outer = std::cos(light.outer_cone);
+  const double inner = std::cos(light.inner_cone);
+  const double fade = glm::clamp((cosine - outer) / std::max(inner - outer, 1e-9), 0.0, 1.0);
+  return static_cast<float>(fade * fade);
+}
+
+// By KHR_lights_punctual; the factor that brings the light to nothing at its range.
+float window(double distance, double range) {
+  if (std::isinf(range)) {
+    return 1.0f;
+  }
+  const double ratio = distance / range;
+  return static_cast<float>(glm::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0));
+}
+
+Illumination illuminate(const Light& light, const glm::dvec3& point) {
+  if (light.kind == Light::Kind::directional) {
+    return {.way = -light.direction, .strength = 1.0f};
+  }
+  const glm::dvec3 way = light.position - point;
+  const double distance = glm::length(way);
+  if (!(distance > 0.0)) {
+    return {};
+  }
+  Illumination at{
+      .way = way / distance, .distance = distance, .strength = window(distance, light.range)};
+  if (light.inverse_square) {
+    at.strength /= static_cast<float>(distance * distance);
+  }
+  if (light.kind == Light::Kind::spot) {
+    at.strength *= cone(light, at.way);
+  }
+  return at;
+}
+
+// Schlick's approximation: how far the reflectance is on its way from that at normal incidence
+// to that at grazing.
+float schlick(double cosine) {
+  const double m = glm::clamp(1.0 - cosine, 0.0, 1.0);
+  return static_cast<float>(m * m * m * m * m);
+}
+
+class Shader {
+ public:
+  Shader(const Accel& accel, const Ray& ray, const Hit& hit, TraceScratch& scratch)
+      : accel_(accel),
+        scene_(accel.scene()),
+        material_(scene_.materials[static_cast<std::size_t>(hit.material)]),
+        ray_(ray),
+        hit_(hit),
+        base_(base_at(scene_, hit)),
+        way_(glm::normalize(ray.direction)),
+        scratch_(scratch) {
+    // Towards the side the surface is seen from.
+    const double side = glm::dot(hit.normal, ray.direction) > 0.0 ? -1.0 : 1.0;
+    facet_ = side * hit.normal;
+    normal_ = side * shading_normal(hit);
+    if (glm::dot(normal_, ray.direction) > 0.0) {
+      normal_ = facet_;
+    }
+    near_ = accel.leave(ray, hit, facet_);
+  }
+
+  void light(Shading& out) {
+    const glm::vec3 base(base_);
+    const glm::vec3 tint = material_.textured_emission ? base : glm::vec3(1.0f);
+    out.colour = material_.emission * tint + material_.ambient * base * scene_.ambient_light;
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+      if (add(scene_.lights[i], base, out.colour)) {
+        out.lights |= LightMask{1} << i;
+      }
+    }
+    if (material_.blend) {
+      out.colour *= glm::min(1.0f, material_.alpha * base_.a);
+    }
+  }
+
+  void spawn(const Media& media, Shading& out) {
+    const bool transmits = material_.blend || material_.transmission != black;
+    out.k_s = material_.reflection;
+    out.reflection_weight = glm::compMax(material_.reflection);
+    bool total = false;
+    double cosine = -glm::dot(way_, normal_);
+    if (transmits) {
+      total = !refract(media, cosine, out);
+    }
+    if (material_.fresnel && !total) {
+      const float growth = schlick(cosine);
+      out.k_s += (material_.grazing_reflection - out.k_s) * growth;
+      out.k_t *= 1.0f - growth;
+    }
+    if (total) {
+      out.k_s += material_.transmission;
+      out.reflection_weight = glm::compMax(material_.reflection + material_.transmission);
+    }
+    if (material_.reflection != black || total) {
+      reflect(out);
+    }
+  }
+
+ private:
+  // Adds what one light contributes; false if it is not visible.
+  bool add(const Light& light, const glm::vec3& base, glm::vec3& colour) {
+    const glm::dvec3 point = ray_.at(hit_.t);
+    const Illumination at = illuminate(light, point);
+    const double facing = glm::dot(normal_, at.way);
+    if (at.strength <= 0.0f || facing <= 0.0 || glm::dot(facet_, at.way) <= 0.0) {
+      return false;
+    }
+    ++scratch_.rays.shadow;
+    const glm::vec3 passed = accel_.transmittance(
+        {.origin = near_, .direction = at.way},
+        light.kind == Light::Kind::directional ? at.distance : glm::distance(light.position, near_),
+        scratch_.solid);
+    if (passed == black) {
+      return false;
+    }
+    const glm::vec3 arriving = at.strength * passed;
+    colour += material_.diffuse * base * light.diffuse * arriving * static_cast<float>(facing);
+    if (material_.specular != black) {
+      const double halfway = glm::dot(normal_, glm::normalize(at.way - way_));
+      colour += material_.specular * light.specular * arriving *
+                std::pow(static_cast<float>(glm::max(halfway, 0.0)), material_.shininess);
+    }
+    return true;
+  }
+
+  // Makes the refracted ray by Snell's law and sets `cosine` to that of the angle on the thinner
+  // side; false on total internal reflection.
+  bool refract(const Media& media, double& cosine, Shading& out) {
+    out.k_t = transmission(material_, base_);
+    out.refraction_weight = material_.blend && untextured() ? glm::compMax(out.k_t)
+                                                            : glm::compMax(material_.transmission);
+    const glm::dvec3 far = accel_.leave(ray_, hit_, -facet_);
+    if (material_.thin) {
+      out.refraction = Ray{.origin = far, .direction = way_};
+      out.media = media;
+      return true;
+    }
+    const ObjectId object = scene_.surfaces.object(hit_.surface);
+    out.media = hit_.entering ? media.entered(object, material_.ior) : media.left(object);
+    // A ray that leaves an object it started in has been in its material all the way.
+    const double from = hit_.entering ? media.ior() : material_.ior;
+    const double to = hit_.entering ? material_.ior : out.media.ior();
+    const double eta = from / to;
+    const double under = 1.0 - eta * eta * (1.0 - cosine * cosine);
+    if (under < 0.0) {
+      out.k_t = black;
+      return false;
+    }
+    const double beyond = std::sqrt(under);
+    glm::dvec3 direction = glm::normalize(eta * way_ + (eta * cosine - beyond) * normal_);
+    if (glm::dot(direction, facet_) >= 0.0) {
+      direction = way_;  // an interpolated normal that bends the ray back out of the surface
+    }
+    out.refraction = Ray{.origin = far, .direction = direction};
+    cosine = eta > 1.0 ? beyond : cosine;
+    return true;
+  }
+
+  void reflect(Shading& out) {
+    glm::dvec3 direction = glm::reflect(way_, normal_);
+    if (glm::dot(direction, facet_) <= 0.0) {
+      direction = glm::reflect(way_, facet_);
+    }
+    out.reflection = Ray{.origin = near_, .direction = glm::normalize(direction)};
+  }
+
+  bool untextured() const {
+    return !material_.base_texture && (hit_.mesh == nullptr || hit_.mesh->mesh->colours.empty());
+  }
+
+  const Accel& accel_;
+  const Scene& scene_;
+  const Material& material_;
+  const Ray& ray_;
+  const Hit& hit_;
+  glm::vec4 base_;
+  glm::dvec3 way_;     // unit, along the ray
+  glm::dvec3 facet_;   // unit, the surface's own normal
+  glm::dvec3 normal_;  // unit, for shading
+  glm::dvec3 near_;    // where rays start that stay on this side
+  TraceScratch& scratch_;
+};
+
+}  // namespace
+
+Shading shade(const Accel& accel, const Ray& ray, const Hit& hit, const Media& media, bool spawn,
+              TraceScratch& scratch) {
+  Shading out;
+  Shader shader(accel, ray, hit, scratch);
+  shader.light(out);
+  if (spawn) {
+    shader.spawn(media, out);
+  }
+  return out;
+}
+
+}  // namespace raycat
