@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "categories/category_table.hpp"
+
+namespace raycat {
+
+/// The categories of an image's samples, on a lattice with one column and one row more than the
+/// image has pixels: pixel (x, y) is the square of the samples (x, y), (x+1, y), (x, y+1) and
+/// (x+1, y+1) (Section 3, Fig. 6a). Sample (x, y) goes through the centre of pixel (x, y).
+struct CategoryImage {
+  int width = 0;                    ///< in pixels
+  int height = 0;                   ///< in pixels
+  std::vector<CategoryId> samples;  ///< (width + 1) * (height + 1), rows from the top
+  CategoryTable table;              ///< numbered by first appearance in `samples`
+
+  CategoryId at(int x, int y) const {
+    return samples[static_cast<std::size_t>(y) * (static_cast<std::size_t>(width) + 1) +
+                   static_cast<std::size_t>(x)];
+  }
+
+  std::size_t bytes() const noexcept {
+    return samples.capacity() * sizeof(samples[0]) + table.bytes();
+  }
+};
+
+}  // namespace raycat

@@ -1,0 +1,17 @@
+#include "categories/detail.hpp"
+
+namespace raycat {
+
+void reduce(RayTree& tree, const Detail& detail, const SurfaceTable& surfaces) {
+  std::erase_if(tree, [&](const RayNode& node) {
+    return level(node.position) > detail.levels || node.weight < detail.min_weight;
+  });
+  for (RayNode& node : tree) {
+    node.surface = surfaces.at(detail.ids, node.surface);
+    if (!detail.lights) {
+      node.lights = 0;
+    }
+  }
+}
+
+}  // namespace raycat
