@@ -1,0 +1,85 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/command.hpp"
+#include "app/report.hpp"
+
+namespace raycat::app {
+namespace {
+
+nlohmann::ordered_json summary(const SceneFile& file) {
+  const Scene& scene = file.scene;
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+  for (const Camera& camera : scene.cameras) {
+    cameras.push_back(camera.name);
+  }
+  return {{"objects", scene.surfaces.objects()},
+          {"primitives", scene.surfaces.primitives()},
+          {"faces", scene.surfaces.faces()},
+          {"triangles", file.triangles},
+          {"csg_nodes", file.csg_nodes},
+          {"materials", scene.materials.size()},
+          {"textures", scene.textures.size()},
+          {"lights", scene.lights.size()},
+          {"cameras", cameras},
+          {"bounds", to_json(bounds(scene))},
+          {"closed", file.closed},
+          {"extensions", file.extensions},
+          {"warnings", file.warnings}};
+}
+
+std::string text_of(const nlohmann::ordered_json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "yes" : "no";
+  }
+  if (value.is_array()) {
+    std::string text;
+    for (const auto& item : value) {
+      text += (text.empty() ? "" : ", ") + text_of(item);
+    }
+    return text.empty() ? "none" : text;
+  }
+  if (value.is_object()) {
+    return fmt::format("{} to {}", value["min"].dump(), value["max"].dump());
+  }
+  return value.is_null() ? "none" : value.dump();
+}
+
+void info(const CommonOptions& options) {
+  SceneFile file = load(options);
+  if (file.scene.lights.empty()) {
+    file.warnings.emplace_back("no light in the file: a headlight and a key light are used");
+  }
+  if (file.scene.cameras.empty()) {
+    file.warnings.emplace_back("no camera in the file: the scene is framed automatically");
+  }
+  const nlohmann::ordered_json all = summary(file);
+  if (options.json) {
+    print(all.dump());
+    return;
+  }
+  for (const auto& [key, value] : all.items()) {
+    if (key != "warnings") {
+      print(fmt::format("{:<12}{}", key, text_of(value)));
+    }
+  }
+  if (!options.quiet) {
+    warn(file.warnings);
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto options = std::make_shared<CommonOptions>();
+  CLI::App* command = app.add_subcommand("info", "Say what a scene file holds");
+  add_common(*command, *options);
+  command->callback([options] { info(*options); });
+}
+
+}  // namespace raycat::app

@@ -1,0 +1,83 @@
+#include <exception>
+#include <new>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/command.hpp"
+#include "app/interrupt.hpp"
+
+namespace raycat::app {
+
+void add_common(CLI::App& command, CommonOptions& options) {
+  options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  command.add_option("SCENE", options.scene, "Scene file: .gltf .glb .csg .obj .ply .stl .off")
+      ->required();
+  command.add_option("--threads", options.threads, "Threads; all by default")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", options.quiet, "No progress and no warnings on stderr");
+  command.add_flag("--json", options.json, "Machine-readable result on stdout");
+  command
+      .add_option_function<double>(
+          "--crease",
+          [&options](double degrees) {
+            options.load.faces.crease = degrees * 0.017453292519943295;
+          },
+          "Mesh triangles meeting at a smaller angle are one face; 30 by default")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(0.0, 180.0));
+  command
+      .add_option("--exposure", options.load.exposure,
+                  "glTF's own lights count 2^EV times; 0 by default")
+      ->type_name("EV")
+      ->check(CLI::Range(-64.0, 64.0));
+}
+
+SceneFile load(const CommonOptions& options) { return load_scene(options.scene, options.load); }
+
+namespace {
+
+int fail(int code, std::string_view message) {
+  fmt::print(stderr, "raycat: {}\n", message);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Ray path categorization for CSG and glTF scenes", "raycat");
+  app.set_version_flag("--version", "raycat " RAYCAT_VERSION);
+  app.require_subcommand(1);
+  add_render(app);
+  add_info(app);
+  add_probe(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return app.exit(CLI::CallForHelp());
+  } catch (const CLI::CallForVersion& version) {
+    return app.exit(version);
+  } catch (const CLI::ParseError& error) {
+    return fail(2, fmt::format("{}; see raycat --help", error.what()));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace raycat::app
+
+int main(int argc, char** argv) {
+  using raycat::app::fail;
+  raycat::app::handle_interrupts();
+  try {
+    return raycat::app::run(argc, argv);
+  } catch (const raycat::LoadError& error) {
+    return fail(2, error.what());
+  } catch (const std::logic_error& error) {  // what the user asked for cannot be
+    return fail(2, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(1, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(1, error.what());
+  }
+}

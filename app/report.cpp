@@ -1,0 +1,49 @@
+#include "app/report.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace raycat::app {
+
+void print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fputc('\n', stdout) < 0 ||
+      std::fflush(stdout) != 0) {
+    throw std::runtime_error(
+        fmt::format("standard output: cannot write: {}", std::generic_category().message(errno)));
+  }
+}
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    fmt::print(stderr, "raycat: warning: {}\n", warning);
+  }
+}
+
+nlohmann::ordered_json to_json(const Bounds& bounds) {
+  if (bounds.empty()) {
+    return nullptr;
+  }
+  return {{"min", {bounds.min.x, bounds.min.y, bounds.min.z}},
+          {"max", {bounds.max.x, bounds.max.y, bounds.max.z}}};
+}
+
+std::uint64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+double Stopwatch::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> seconds = now - last_;
+  last_ = now;
+  return seconds.count();
+}
+
+}  // namespace raycat::app

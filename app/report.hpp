@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "geometry/bounds.hpp"
+
+namespace raycat::app {
+
+/// Prints `text` and a line end to stdout. Throws `std::runtime_error` if it cannot be written.
+void print(const std::string& text);
+
+/// Prints each warning as a line on stderr.
+void warn(const std::vector<std::string>& warnings);
+
+/// {"min":[x,y,z],"max":[x,y,z]}, or null for empty bounds.
+nlohmann::ordered_json to_json(const Bounds& bounds);
+
+/// The most memory this process has had so far, in bytes.
+std::uint64_t peak_memory();
+
+/// Seconds since it was made or last read.
+class Stopwatch {
+ public:
+  double lap();
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace raycat::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "io/scene_file.hpp"
+#include "tracer/camera.hpp"
+
+namespace raycat::app {
+
+/// How a scene is looked at: the options that `render` and `probe` share.
+struct ViewOptions {
+  std::string size = "512x512";
+  std::string camera;
+  std::string view;
+  bool orthographic = false;
+};
+
+void add_view(CLI::App& command, ViewOptions& options);
+
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// Throws `UsageError` unless `text` is WxH with 1 to 65536 pixels a side and at most 2^28.
+ImageSize parse_size(const std::string& text);
+
+/// The camera that the options ask for, else the file's first, else one that frames the scene.
+/// Throws `UsageError` for a camera that is not there, or a view that cannot be read.
+Camera choose_camera(const SceneFile& file, const ViewOptions& options, const ImageSize& size);
+
+/// Gives a scene without lights a headlight and a key light for `camera`.
+void add_default_lights(Scene& scene, const Camera& camera);
+
+}  // namespace raycat::app

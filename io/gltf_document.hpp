@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tiny_gltf.h>
+
+#include "io/gltf_files.hpp"
+#include "io/json_fields.hpp"
+
+namespace raycat {
+
+/// A glTF document that is safe to read: every property has its type, every index is of something
+/// that exists, every accessor lies within its buffer and the nodes are a forest.
+///
+/// `model` is tinygltf's and holds what glTF 2.0 itself defines, apart from the buffers' bytes and
+/// the images: those are ours, since tinygltf reads both without checks (DESIGN 9). Extensions
+/// and extras are read from `json`.
+struct GltfDocument {
+  std::filesystem::path file;
+  nlohmann::json json;
+  tinygltf::Model model;
+  std::vector<std::span<const std::uint8_t>> buffers;  ///< without data where a URI is missing
+  std::vector<std::shared_ptr<const Bytes>> storage;   ///< what `buffers` point into
+  std::vector<std::optional<std::size_t>> parents;     ///< of each node
+  std::vector<std::string> warnings;
+
+  std::string node_place(std::size_t node) const;
+
+  /// The node's own name, or `node N`.
+  std::string node_name(std::size_t node) const;
+
+  /// A member of `object` that is itself an object, or nothing.
+  std::optional<JsonFields> extension(const nlohmann::json& object, const std::string& name,
+                                      const std::string& place) const;
+
+  /// The bytes of an image: embedded, in a buffer or in a file beside this one. Throws
+  /// `std::runtime_error` with the reason if there are none.
+  Bytes image_bytes(std::size_t image) const;
+
+  /// The bytes of a buffer view; empty if its buffer has no data.
+  std::span<const std::uint8_t> view_bytes(std::size_t view) const;
+};
+
+/// Throws `LoadError`.
+GltfDocument open_gltf(const std::filesystem::path& file);
+
+}  // namespace raycat

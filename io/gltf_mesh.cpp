@@ -1,0 +1,110 @@
+#include "io/gltf_mesh.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "geometry/edge_uses.hpp"
+#include "geometry/mesh.hpp"
+#include "io/gltf_primitive.hpp"
+
+namespace raycat {
+namespace {
+
+// A file can name the same accessors any number of times, at no cost to itself.
+constexpr std::uint64_t max_corners = std::uint64_t{1} << 28;
+
+std::vector<const TriangleMesh*> triangles(const GltfMesh& mesh) {
+  std::vector<const TriangleMesh*> triangles;
+  for (const GltfPrimitive& primitive : mesh.primitives) {
+    triangles.push_back(&primitive.mesh->triangles);
+  }
+  return triangles;
+}
+
+// Does each edge run as often one way as the other?
+bool is_closed(TriangleMesh mesh) {
+  const auto same = weld(mesh.positions);
+  for (glm::uvec3& triangle : mesh.triangles) {
+    triangle = {same[triangle.x], same[triangle.y], same[triangle.z]};
+  }
+  const EdgeUses edges = edge_uses(mesh.triangles, mesh.positions.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    std::int64_t balance = 0;
+    for (const std::uint32_t half : edges[edge]) {
+      balance +=
+          half_edge_start(mesh.triangles, half) < half_edge_end(mesh.triangles, half) ? 1 : -1;
+    }
+    if (balance != 0) {
+      return false;
+    }
+  }
+  return !mesh.triangles.empty();
+}
+
+}  // namespace
+
+TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes) {
+  TriangleMesh all;
+  for (const TriangleMesh* mesh : meshes) {
+    const auto first_vertex = static_cast<std::uint32_t>(all.positions.size());
+    all.positions.insert(all.positions.end(), mesh->positions.begin(), mesh->positions.end());
+    for (const glm::uvec3& triangle : mesh->triangles) {
+      all.triangles.push_back(triangle + first_vertex);
+    }
+    for (const std::uint32_t face : mesh->faces) {
+      all.faces.push_back(all.face_count + face);
+    }
+    all.face_count += mesh->face_count;
+  }
+  return all;
+}
+
+GltfMeshes::GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
+                       const FaceRule& faces)
+    : document_(document),
+      materials_(materials),
+      faces_(faces),
+      corners_left_(max_corners),
+      meshes_(document.model.meshes.size()),
+      solids_(document.model.meshes.size()) {}
+
+const GltfMesh& GltfMeshes::mesh(std::size_t number) {
+  if (!meshes_[number]) {
+    meshes_[number] = read(number);
+  }
+  return *meshes_[number];
+}
+
+MeshShape GltfMeshes::solid(std::size_t number) {
+  if (!solids_[number]) {
+    solids_[number] = std::make_shared<const ClosedMesh>(joined(triangles(mesh(number))));
+  }
+  return solids_[number];
+}
+
+GltfMesh GltfMeshes::read(std::size_t number) {
+  const auto& from = document_.model.meshes[number].primitives;
+  GltfMesh mesh;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (!from[i].targets.empty()) {
+      document_.warnings.push_back(
+          fmt::format("meshes[{}]: primitives[{}]: morph targets are ignored", number, i));
+    }
+    std::optional<std::size_t> material;
+    if (from[i].material >= 0) {
+      material = static_cast<std::size_t>(from[i].material);
+    }
+    const auto surface = read_primitive(
+        document_, number, i, material ? &materials_[*material] : nullptr, faces_, corners_left_);
+    if (surface && !surface->triangles.triangles.empty()) {
+      mesh.primitives.push_back({.mesh = surface,
+                                 .material = material,
+                                 .triangles = surface->triangles.triangles.size()});
+    }
+  }
+  mesh.closed = is_closed(joined(triangles(mesh)));
+  return mesh;
+}
+
+}  // namespace raycat

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/mesh_faces.hpp"
+#include "geometry/shape.hpp"
+#include "io/gltf_document.hpp"
+#include "io/gltf_material.hpp"
+#include "tracer/scene.hpp"
+
+namespace raycat {
+
+/// The triangles of a glTF primitive.
+struct GltfPrimitive {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  std::optional<std::size_t> material;
+  std::uint64_t triangles = 0;  ///< as the file has them
+};
+
+struct GltfMesh {
+  std::vector<GltfPrimitive> primitives;  ///< those that are made of triangles
+  bool closed = false;                    ///< do they enclose a volume together?
+};
+
+/// The meshes of a document, each read when it is first asked for and shared by its instances.
+class GltfMeshes {
+ public:
+  /// Keeps references to all three. `materials` say which texture coordinates to read.
+  GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
+             const FaceRule& faces);
+
+  /// Throws `LoadError` for an index out of range, or more than 2^28 corners in all.
+  const GltfMesh& mesh(std::size_t number);
+
+  /// All primitives as one solid with the faces of all. Throws `std::invalid_argument` as
+  /// `ClosedMesh` does.
+  MeshShape solid(std::size_t number);
+
+ private:
+  GltfMesh read(std::size_t number);
+
+  GltfDocument& document_;
+  const std::vector<GltfMaterial>& materials_;
+  FaceRule faces_;
+  std::uint64_t corners_left_;
+  std::vector<std::optional<GltfMesh>> meshes_;
+  std::vector<MeshShape> solids_;
+};
+
+/// Meshes laid side by side in one: the faces of each follow those of the one before.
+TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes);
+
+}  // namespace raycat

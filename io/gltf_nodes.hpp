@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "io/gltf_document.hpp"
+
+namespace raycat {
+
+/// The nodes of a document that are seen: parents before children, each subtree in one piece.
+struct GltfNodes {
+  std::vector<std::size_t> order;
+  std::vector<glm::dmat4> world;  ///< of every node of the document; only of those in `order` set
+};
+
+/// The nodes of the default scene: `scene`, else the first, else all nodes. Throws `LoadError`
+/// for a transform that is not affine.
+GltfNodes scene_nodes(const GltfDocument& document);
+
+/// The first node called `name` and what is below it, without the transforms above it.
+/// `std::nullopt` if there is none.
+std::optional<GltfNodes> nodes_below(const GltfDocument& document, const std::string& name);
+
+}  // namespace raycat

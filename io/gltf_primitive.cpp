@@ -1,0 +1,294 @@
+#include "io/gltf_primitive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "io/gltf_accessor.hpp"
+#include "io/scene_file.hpp"
+
+namespace raycat {
+namespace {
+
+// What the tables of a scene can count.
+constexpr std::size_t max_vertices = std::numeric_limits<std::uint32_t>::max();
+
+template <class Vector>
+bool finite(const Vector& vector) {
+  for (int c = 0; c < vector.length(); ++c) {
+    if (!std::isfinite(vector[c])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+class PrimitiveReader {
+ public:
+  PrimitiveReader(GltfDocument& document, std::size_t mesh, std::size_t primitive)
+      : document_(document),
+        from_(document.model.meshes[mesh].primitives[primitive]),
+        place_(fmt::format("meshes[{}]", mesh)),
+        path_(fmt::format("primitives[{}]", primitive)) {}
+
+  std::shared_ptr<const SurfaceMesh> read(const GltfMaterial* material, const FaceRule& faces,
+                                          std::uint64_t& corners_left) {
+    const auto positions = attribute("POSITION", 3, 3);
+    if (from_.mode < TINYGLTF_MODE_TRIANGLES || from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+      if (from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+        fail(fmt::format("mode {} is not one of glTF 2.0", from_.mode));
+      }
+      warn("points and lines are not drawn");
+      return nullptr;
+    }
+    if (!positions) {
+      warn("has no positions and is not drawn");
+      return nullptr;
+    }
+    std::vector<std::uint32_t> corners = read_corners(positions->size(), corners_left);
+    const std::vector<std::uint32_t> vertices = renumber(corners);
+    auto mesh = std::make_shared<SurfaceMesh>();
+    for (const std::uint32_t vertex : vertices) {
+      mesh->triangles.positions.emplace_back((*positions)[vertex]);
+    }
+    mesh->triangles.triangles = assemble(corners);
+    drop_infinite(mesh->triangles);
+    read_normals(vertices, positions->size(), *mesh);
+    read_coordinates(material, vertices, positions->size(), *mesh);
+    read_colours(vertices, positions->size(), *mesh);
+    group(faces, *mesh);
+    return mesh;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw LoadError(document_.file, place_, path_ + ": " + what);
+  }
+
+  void warn(const std::string& what) const {
+    document_.warnings.push_back(fmt::format("{}: {}: {}", place_, path_, what));
+  }
+
+  std::optional<GltfAccessor> attribute(const std::string& name, int least, int most) const {
+    const auto found = from_.attributes.find(name);
+    if (found == from_.attributes.end()) {
+      return std::nullopt;
+    }
+    GltfAccessor accessor(document_, static_cast<std::size_t>(found->second));
+    if (accessor.components() < least || accessor.components() > most) {
+      fail(fmt::format("{}: accessors[{}] has {} components", name, found->second,
+                       accessor.components()));
+    }
+    return accessor;
+  }
+
+  // An attribute that does not reach all vertices could only be read past its end.
+  std::optional<GltfAccessor> vertex_attribute(const std::string& name, int least, int most,
+                                               std::size_t vertices) const {
+    auto accessor = attribute(name, least, most);
+    if (accessor && accessor->size() < vertices) {
+      warn(fmt::format("{} has {} elements for {} vertices and is ignored", name, accessor->size(),
+                       vertices));
+      return std::nullopt;
+    }
+    return accessor;
+  }
+
+  std::vector<std::uint32_t> read_corners(std::size_t vertices, std::uint64_t& corners_left) const {
+    if (vertices > max_vertices) {
+      fail(fmt::format("at most {} vertices are read, but there are {}", max_vertices, vertices));
+    }
+    std::optional<GltfAccessor> indices;
+    if (from_.indices >= 0) {
+      const auto number = static_cast<std::size_t>(from_.indices);
+      const auto& accessor = document_.model.accessors[number];
+      if (accessor.type != TINYGLTF_TYPE_SCALAR ||
+          (accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+           accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+           accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+        fail(fmt::format("indices: accessors[{}] does not hold indices", number));
+      }
+      indices.emplace(document_, number);
+    }
+    const std::size_t count = indices ? indices->size() : vertices;
+    if (count > corners_left) {
+      fail("the triangles of the file have too many corners in all");
+    }
+    corners_left -= count;
+    std::vector<std::uint32_t> corners(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      corners[i] = indices ? indices->index(i) : static_cast<std::uint32_t>(i);
+      if (corners[i] >= vertices) {
+        fail(fmt::format("indices: index {} at {} is past the {} vertices", corners[i], i,
+                         vertices));
+      }
+    }
+    return corners;
+  }
+
+  // Primitives often share one long list of vertices; each keeps those it uses, in their order.
+  static std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& corners) {
+    std::vector<std::uint32_t> used = corners;
+    std::ranges::sort(used);
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (used.empty() || used.back() + std::size_t{1} != used.size()) {
+      for (std::uint32_t& corner : corners) {
+        corner = static_cast<std::uint32_t>(std::ranges::lower_bound(used, corner) - used.begin());
+      }
+    }
+    return used;
+  }
+
+  // The order of corners is that of glTF 2.0 (3.7.2.1).
+  std::vector<glm::uvec3> assemble(const std::vector<std::uint32_t>& corners) const {
+    std::vector<glm::uvec3> triangles;
+    if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
+      triangles.reserve(corners.size() / 3);
+      for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+      }
+      if (corners.size() % 3 != 0) {
+        warn(fmt::format("{} corners are no whole number of triangles; the last are ignored",
+                         corners.size()));
+      }
+      return triangles;
+    }
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+      const std::size_t odd = from_.mode == TINYGLTF_MODE_TRIANGLE_STRIP ? i % 2 : 0;
+      if (from_.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+        triangles.emplace_back(corners[i], corners[i + 1 + odd], corners[i + 2 - odd]);
+      } else {
+        triangles.emplace_back(corners[i + 1], corners[i + 2], corners[0]);
+      }
+    }
+    return triangles;
+  }
+
+  void drop_infinite(TriangleMesh& mesh) const {
+    const auto dropped = std::erase_if(mesh.triangles, [&](const glm::uvec3& triangle) {
+      return !finite(mesh.positions[triangle.x]) || !finite(mesh.positions[triangle.y]) ||
+             !finite(mesh.positions[triangle.z]);
+    });
+    for (glm::dvec3& position : mesh.positions) {
+      position = finite(position) ? position : glm::dvec3(0.0);
+    }
+    if (dropped > 0) {
+      warn(fmt::format("{} triangles with a corner that is not finite are dropped", dropped));
+    }
+  }
+
+  void read_normals(const std::vector<std::uint32_t>& vertices, std::size_t count,
+                    SurfaceMesh& mesh) const {
+    const auto normals = vertex_attribute("NORMAL", 3, 3, count);
+    if (!normals) {
+      return;
+    }
+    std::size_t unusable = 0;
+    mesh.normals.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+      const glm::dvec3 normal((*normals)[vertex]);
+      const double length = glm::length(normal);
+      const bool usable = std::isfinite(length) && length > 0.0;
+      mesh.normals.push_back(usable ? glm::vec3(normal / length) : glm::vec3(0.0f));
+      unusable += usable ? 0 : 1;
+    }
+    if (unusable > 0) {
+      warn(fmt::format("{} normals have no direction and are made anew", unusable));
+      replace_zero_normals(mesh);
+    }
+  }
+
+  // The mean of the planes around, by area.
+  static void replace_zero_normals(SurfaceMesh& mesh) {
+    std::vector<glm::dvec3> sums(mesh.normals.size(), glm::dvec3(0.0));
+    const auto& positions = mesh.triangles.positions;
+    for (const glm::uvec3& corners : mesh.triangles.triangles) {
+      const glm::dvec3 plane = glm::cross(positions[corners.y] - positions[corners.x],
+                                          positions[corners.z] - positions[corners.x]);
+      sums[corners.x] += plane;
+      sums[corners.y] += plane;
+      sums[corners.z] += plane;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      if (mesh.normals[i] == glm::vec3(0.0f)) {
+        const double length = glm::length(sums[i]);
+        mesh.normals[i] = std::isfinite(length) && length > 0.0 ? glm::vec3(sums[i] / length)
+                                                                : glm::vec3(0.0f, 1.0f, 0.0f);
+      }
+    }
+  }
+
+  void read_coordinates(const GltfMaterial* material, const std::vector<std::uint32_t>& vertices,
+                        std::size_t count, SurfaceMesh& mesh) const {
+    if (!material || !material->material.base_texture) {
+      return;
+    }
+    const auto name = fmt::format("TEXCOORD_{}", material->coordinates);
+    const auto coordinates = vertex_attribute(name, 2, 2, count);
+    if (!coordinates) {
+      return;
+    }
+    mesh.texture_coordinates.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+      const glm::dvec2 uv((*coordinates)[vertex]);
+      mesh.texture_coordinates.emplace_back(material->texture_transform * glm::dvec3(uv, 1.0));
+    }
+  }
+
+  void read_colours(const std::vector<std::uint32_t>& vertices, std::size_t count,
+                    SurfaceMesh& mesh) const {
+    const auto colours = vertex_attribute("COLOR_0", 3, 4, count);
+    if (!colours) {
+      return;
+    }
+    mesh.colours.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+      glm::dvec4 colour = (*colours)[vertex];
+      colour.a = colours->components() == 3 ? 1.0 : colour.a;
+      if (!finite(colour) || glm::any(glm::lessThan(colour, glm::dvec4(0.0)))) {
+        warn("COLOR_0 holds a colour that is negative or not finite and is ignored");
+        mesh.colours.clear();
+        return;
+      }
+      mesh.colours.emplace_back(colour);
+    }
+  }
+
+  static void group(const FaceRule& rule, SurfaceMesh& mesh) {
+    TriangleMesh& triangles = mesh.triangles;
+    std::vector<glm::vec3> corner_normals;
+    if (!mesh.normals.empty()) {
+      corner_normals.reserve(3 * triangles.triangles.size());
+      for (const glm::uvec3& corners : triangles.triangles) {
+        for (int c = 0; c < 3; ++c) {
+          corner_normals.push_back(mesh.normals[corners[c]]);
+        }
+      }
+    }
+    triangles.faces = group_faces(triangles.positions, triangles.triangles, corner_normals, rule);
+    triangles.face_count =
+        triangles.faces.empty() ? 0 : std::ranges::max(triangles.faces) + std::uint32_t{1};
+  }
+
+  GltfDocument& document_;
+  const tinygltf::Primitive& from_;
+  std::string place_;
+  std::string path_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SurfaceMesh> read_primitive(GltfDocument& document, std::size_t mesh,
+                                                  std::size_t primitive,
+                                                  const GltfMaterial* material,
+                                                  const FaceRule& faces,
+                                                  std::uint64_t& corners_left) {
+  return PrimitiveReader(document, mesh, primitive).read(material, faces, corners_left);
+}
+
+}  // namespace raycat

@@ -1,0 +1,334 @@
+#include "io/gltf_scene.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/gltf_extras.hpp"
+#include "io/gltf_material.hpp"
+#include "io/gltf_mesh.hpp"
+#include "io/gltf_nodes.hpp"
+#include "io/gltf_view.hpp"
+#include "io/scene_assembly.hpp"
+#include "io/scene_placement.hpp"
+
+namespace raycat {
+namespace {
+
+// An asset is a line in the file that places it, but may itself be large.
+constexpr std::size_t max_placed = std::size_t{1} << 20;
+
+class SceneReader {
+ public:
+  SceneReader(const std::filesystem::path& file, GltfAssets& assets)
+      : document_(open_gltf(file)),
+        assets_(assets),
+        assembly_(file),
+        materials_(read_materials(document_, assembly_.out.scene)),
+        meshes_(document_, materials_, assets.options().faces) {}
+
+  SceneFile read(const std::optional<std::string>& node) {
+    auto below = node ? nodes_below(document_, *node) : scene_nodes(document_);
+    if (!below) {
+      throw LoadError(document_.file, "nodes",
+                      fmt::format("no node is named '{}'", excerpt(*node)));
+    }
+    nodes_ = *std::move(below);
+    SceneFile& out = assembly_.out;
+    read_objects();
+    out.scene.cameras = read_cameras(document_, nodes_);
+    out.scene.lights = read_lights(document_, nodes_, assets_.options().exposure);
+    read_surroundings();
+    for (const auto& name : document_.json.value("extensionsUsed", nlohmann::json::array())) {
+      out.extensions.push_back(name);
+    }
+    out.warnings.insert(out.warnings.begin(), document_.warnings.begin(), document_.warnings.end());
+    return std::move(out);
+  }
+
+ private:
+  // A node of a CSG tree whose children are being read.
+  struct Frame {
+    std::size_t node = 0;
+    NodeExtras extras;
+    std::size_t next_child = 0;
+    std::vector<CsgTree::NodeId> operands;
+    std::size_t first_leaf = 0;
+    std::size_t cut_leaf = 0;  // the first leaf that is subtracted
+  };
+
+  static std::vector<GltfMaterial> read_materials(GltfDocument& document, Scene& scene) {
+    std::vector<GltfMaterial> materials;
+    for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+      materials.push_back(read_material(document, i));
+    }
+    scene.textures = read_textures(document, materials);
+    for (const GltfMaterial& material : materials) {
+      scene.materials.push_back(material.material);
+    }
+    return materials;
+  }
+
+  void read_objects() {
+    in_tree_.assign(document_.model.nodes.size(), false);
+    for (const std::size_t node : nodes_.order) {
+      if (in_tree_[node]) {
+        continue;
+      }
+      const NodeExtras extras = node_extras(document_, node);
+      try {
+        if (extras.csg || extras.shape) {
+          read_solid(node, extras);
+        } else if (extras.asset) {
+          read_asset(node, *extras.asset);
+        } else if (document_.model.nodes[node].mesh >= 0) {
+          read_mesh(node);
+        }
+      } catch (const std::invalid_argument& error) {
+        throw LoadError(document_.file, document_.node_place(node), error.what());
+      }
+    }
+  }
+
+  MaterialId material(std::optional<std::size_t> number) {
+    if (number) {
+      return static_cast<MaterialId>(*number);
+    }
+    if (!default_material_) {
+      auto& materials = assembly_.out.scene.materials;
+      default_material_ = static_cast<MaterialId>(materials.size());
+      materials.push_back(default_material());
+    }
+    return *default_material_;
+  }
+
+  void read_mesh(std::size_t node) {
+    const auto& from = document_.model.nodes[node];
+    const GltfMesh& mesh = meshes_.mesh(static_cast<std::size_t>(from.mesh));
+    if (from.skin >= 0) {
+      warn(node, "its skin is ignored");
+    }
+    Affine transform;
+    try {
+      transform = Affine(nodes_.world[node]);
+    } catch (const std::invalid_argument& error) {
+      warn(node, fmt::format("{}; its mesh is left out", error.what()));
+      return;
+    }
+    if (mesh.primitives.empty()) {
+      return;
+    }
+    SceneFile& out = assembly_.out;
+    const std::string name = document_.node_name(node);
+    assembly_.add_object(name);
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+      const GltfPrimitive& primitive = mesh.primitives[i];
+      const SurfaceId first = assembly_.add_primitive(
+          mesh.primitives.size() == 1 ? name : fmt::format("{}.{}", name, i),
+          primitive.mesh->triangles.face_count);
+      out.scene.meshes.push_back({.mesh = primitive.mesh,
+                                  .transform = transform,
+                                  .material = material(primitive.material),
+                                  .first_face = first});
+      out.triangles += primitive.triangles;
+    }
+    out.closed = out.closed && mesh.closed;
+  }
+
+  void read_solid(std::size_t node, const NodeExtras& extras) {
+    assembly_.add_object(document_.node_name(node));
+    TreeAssembly tree;
+    if (extras.shape) {
+      add_leaf(node, *extras.shape, extras.material, tree);
+      warn_of_mesh(node);
+    } else {
+      read_tree(node, tree);
+    }
+    if (tree.tree.nodes().size() > 1) {
+      assembly_.out.csg_nodes += tree.tree.nodes().size();
+    }
+    assembly_.out.scene.solids.push_back(
+        {.solid = Solid(std::move(tree.tree)), .materials = std::move(tree.materials)});
+  }
+
+  void add_leaf(std::size_t node, Shape shape, std::optional<std::size_t> number,
+                TreeAssembly& tree) {
+    PlacedShape placed(std::move(shape), Affine(nodes_.world[node]));
+    const SurfaceId first = assembly_.add_primitive(document_.node_name(node), placed.face_count());
+    tree.materials.push_back(material(number));
+    last_added_ = tree.tree.add(CsgLeaf{.shape = std::move(placed), .first_face = first});
+  }
+
+  // Children before parents, without recursion: trees are as deep as their authors like.
+  void read_tree(std::size_t root, TreeAssembly& tree) {
+    std::vector<Frame> frames;
+    frames.push_back(enter(root, tree));
+    while (!frames.empty()) {
+      Frame& frame = frames.back();
+      const auto& children = document_.model.nodes[frame.node].children;
+      if (frame.next_child < children.size()) {
+        const auto child = static_cast<std::size_t>(children[frame.next_child++]);
+        if (frame.operands.size() <= 1) {
+          frame.cut_leaf = tree.tree.leaves().size();
+        }
+        frames.push_back(enter(child, tree));
+        continue;
+      }
+      const auto node = leave(frame, tree);
+      frames.pop_back();
+      if (node && !frames.empty()) {
+        frames.back().operands.push_back(*node);
+      }
+    }
+  }
+
+  Frame enter(std::size_t node, TreeAssembly& tree) {
+    Frame frame{.node = node,
+                .extras = node_extras(document_, node),
+                .first_leaf = tree.tree.leaves().size()};
+    in_tree_[node] = true;
+    try {
+      if (frame.extras.shape) {
+        add_leaf(node, *frame.extras.shape, frame.extras.material, tree);
+        frame.operands.push_back(last_added_);
+      } else if (frame.extras.asset) {
+        frame.operands = read_asset_operands(node, *frame.extras.asset, tree);
+      } else if (!frame.extras.csg && document_.model.nodes[node].mesh >= 0) {
+        const auto mesh = static_cast<std::size_t>(document_.model.nodes[node].mesh);
+        const auto& primitives = meshes_.mesh(mesh).primitives;
+        add_leaf(node, meshes_.solid(mesh),
+                 primitives.empty() ? std::nullopt : primitives.front().material, tree);
+        frame.operands.push_back(last_added_);
+        return frame;
+      }
+      warn_of_mesh(node);
+    } catch (const std::invalid_argument& error) {
+      throw LoadError(document_.file, document_.node_place(node), error.what());
+    }
+    return frame;
+  }
+
+  // The node in the tree that a glTF node stands for; none for cameras, lights and what only
+  // holds those.
+  std::optional<CsgTree::NodeId> leave(Frame& frame, TreeAssembly& tree) {
+    const auto& node = document_.model.nodes[frame.node];
+    if (frame.operands.empty()) {
+      if (frame.extras.csg) {
+        throw LoadError(document_.file, document_.node_place(frame.node),
+                        "extras.csg: has no operands below it");
+      }
+      if (node.children.empty() && node.camera < 0 && !has_light(frame.node)) {
+        throw LoadError(document_.file, document_.node_place(frame.node),
+                        "a CSG operand must be a shape, a mesh or a csg node");
+      }
+      return std::nullopt;
+    }
+    if (frame.extras.cut_material == CutMaterial::base &&
+        frame.extras.csg == Operation::difference && frame.operands.size() > 1) {
+      std::fill(tree.materials.begin() + static_cast<std::ptrdiff_t>(frame.cut_leaf),
+                tree.materials.end(), tree.materials[frame.first_leaf]);
+    }
+    if (frame.operands.size() == 1 && !frame.extras.csg) {
+      return frame.operands.front();
+    }
+    return tree.tree.add(frame.extras.csg.value_or(Operation::set_union), frame.operands);
+  }
+
+  bool has_light(std::size_t node) const {
+    return document_
+        .extension(document_.json["nodes"][node], "KHR_lights_punctual", document_.node_place(node))
+        .has_value();
+  }
+
+  Placement placement(std::size_t node, const SceneFile& part) {
+    placed_ += std::max<std::size_t>(part.scene.surfaces.primitives(), 1);
+    if (placed_ > max_placed) {
+      throw LoadError(document_.file, document_.node_place(node),
+                      fmt::format("assets place at most {} primitives in all", max_placed));
+    }
+    auto [first, added] = asset_materials_.try_emplace(&part);
+    if (added) {
+      first->second = add_materials(part.scene, assembly_.out.scene);
+      for (const std::string& warning : part.warnings) {
+        warn(node, warning);
+      }
+    }
+    return {.world = nodes_.world[node],
+            .name = document_.node_name(node),
+            .first_material = first->second};
+  }
+
+  void read_asset(std::size_t node, const NodeExtras::Asset& asset) {
+    const auto part = assets_.load(document_, node, asset);
+    place_objects(part->scene, placement(node, *part), assembly_);
+    assembly_.out.triangles += part->triangles;
+    assembly_.out.csg_nodes += part->csg_nodes;
+    assembly_.out.closed = assembly_.out.closed && part->closed;
+    warn_of_mesh(node);
+  }
+
+  std::vector<CsgTree::NodeId> read_asset_operands(std::size_t node, const NodeExtras::Asset& asset,
+                                                   TreeAssembly& tree) {
+    const auto part = assets_.load(document_, node, asset);
+    return place_operands(part->scene, placement(node, *part), assembly_, tree);
+  }
+
+  void read_surroundings() {
+    const auto scenes = document_.json.find("scenes");
+    if (scenes == document_.json.end() || scenes->empty()) {
+      return;
+    }
+    const auto number = document_.json.value("scene", std::size_t{0});
+    const auto extras = scenes->at(number).find("extras");
+    if (extras == scenes->at(number).end() || !extras->is_object()) {
+      return;
+    }
+    JsonFields fields(document_.file, fmt::format("scenes[{}]", number), "extras", *extras);
+    const auto read = [&](const char* key, glm::vec3& colour) {
+      const auto value = fields.vector(key);
+      if (value && !(value->x >= 0.0 && value->y >= 0.0 && value->z >= 0.0)) {
+        fields.fail(fmt::format("{} must not be negative", key));
+      }
+      colour = value ? glm::vec3(*value) : colour;
+    };
+    read("background", assembly_.out.scene.background);
+    read("ambient_light", assembly_.out.scene.ambient_light);
+  }
+
+  // Tools that do not know our extras may show a mesh in place of what they say.
+  void warn_of_mesh(std::size_t node) {
+    if (document_.model.nodes[node].mesh >= 0) {
+      warn(node, "its mesh is ignored beside its extras");
+    }
+  }
+
+  void warn(std::size_t node, const std::string& what) {
+    assembly_.out.warnings.push_back(fmt::format("{}: {}", document_.node_place(node), what));
+  }
+
+  GltfDocument document_;
+  GltfAssets& assets_;
+  SceneAssembly assembly_;
+  std::vector<GltfMaterial> materials_;
+  GltfMeshes meshes_;
+  GltfNodes nodes_;
+  std::vector<bool> in_tree_;  // nodes that a CSG tree above them has taken in
+  std::optional<MaterialId> default_material_;
+  CsgTree::NodeId last_added_{};
+  std::map<const SceneFile*, std::uint32_t> asset_materials_;
+  std::size_t placed_ = 0;
+};
+
+}  // namespace
+
+SceneFile read_gltf_scene(const std::filesystem::path& file, const std::optional<std::string>& node,
+                          GltfAssets& assets) {
+  return SceneReader(file, assets).read(node);
+}
+
+}  // namespace raycat

@@ -1,0 +1,90 @@
+#include "io/image_decode.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+namespace raycat {
+namespace {
+
+// OpenImageIO finds the decoder by this name.
+const char* file_name(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view png = "\x89PNG\r\n\x1a\n";
+  constexpr std::string_view jpeg = "\xff\xd8\xff";
+  const auto starts_with = [bytes](std::string_view magic) {
+    return bytes.size() >= magic.size() &&
+           std::ranges::equal(bytes.first(magic.size()), magic, {}, {},
+                              [](char c) { return static_cast<std::uint8_t>(c); });
+  };
+  if (starts_with(png)) {
+    return "image.png";
+  }
+  if (starts_with(jpeg)) {
+    return "image.jpg";
+  }
+  throw std::runtime_error("neither PNG nor JPEG");
+}
+
+std::string reason(const std::string& error) {
+  const auto line = error.substr(0, error.find('\n'));
+  return line.empty() ? "cannot be decoded" : line;
+}
+
+// Where grey, grey with alpha, RGB or RGBA keeps its channels.
+std::vector<std::uint8_t> expanded(const std::vector<std::uint8_t>& pixels, std::size_t count,
+                                   std::size_t channels) {
+  const bool coloured = channels >= 3;
+  const bool transparent = channels == 2 || channels >= 4;
+  std::vector<std::uint8_t> rgba(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t* in = pixels.data() + channels * i;
+    std::uint8_t* out = rgba.data() + 4 * i;
+    out[0] = in[0];
+    out[1] = in[coloured ? 1 : 0];
+    out[2] = in[coloured ? 2 : 0];
+    out[3] = transparent ? in[coloured ? 3 : 1] : std::uint8_t{255};
+  }
+  return rgba;
+}
+
+}  // namespace
+
+DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels) {
+  const char* name = file_name(bytes);
+  OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
+  OIIO::ImageSpec config;
+  config["oiio:UnassociatedAlpha"] = 1;
+  // Without this PNG and JPEG look for a file of that name.
+  OIIO::Filesystem::IOProxy* proxy = &reader;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  const auto input = OIIO::ImageInput::open(name, &config, &reader);
+  if (!input) {
+    throw std::runtime_error(reason(OIIO::geterror()));
+  }
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) {
+    throw std::runtime_error("has no pixels");
+  }
+  const auto count =
+      static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+  if (count > max_pixels) {
+    throw std::runtime_error(fmt::format("{} x {} pixels are more than the {} allowed", spec.width,
+                                         spec.height, max_pixels));
+  }
+  const auto channels = static_cast<std::size_t>(std::min(spec.nchannels, 4));
+  std::vector<std::uint8_t> pixels(count * channels);
+  if (!input->read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::UINT8,
+                         pixels.data())) {
+    throw std::runtime_error(reason(input->geterror()));
+  }
+  return {.width = static_cast<std::uint32_t>(spec.width),
+          .height = static_cast<std::uint32_t>(spec.height),
+          .rgba = channels == 4 ? std::move(pixels) : expanded(pixels, count, channels)};
+}
+
+}  // namespace raycat

@@ -1,0 +1,108 @@
+#include "io/image_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "io/output_file.hpp"
+#include "tracer/srgb.hpp"
+
+namespace raycat {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The name of OpenImageIO's format for a path; empty if there is none.
+std::string_view format_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  if (extension == ".png") {
+    return "png";
+  }
+  if (extension == ".exr") {
+    return "openexr";
+  }
+  if (extension == ".ppm") {
+    return "pnm";
+  }
+  std::error_code ignored;
+  return fs::is_character_file(path, ignored) ? "png" : "";
+}
+
+std::uint8_t to_byte(float light) {
+  return static_cast<std::uint8_t>(
+      std::lround(255.0f * srgb_from_linear(std::clamp(light, 0.0f, 1.0f))));
+}
+
+std::vector<std::uint8_t> to_bytes(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(3 * image.pixels.size());
+  for (const glm::vec3& pixel : image.pixels) {
+    bytes.insert(bytes.end(), {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b)});
+  }
+  return bytes;
+}
+
+std::string one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20; }, ' ');
+  return text;
+}
+
+// OpenImageIO writes no comments into PPM files, so they are put behind the magic number.
+void add_comments(std::vector<unsigned char>& file, const Provenance& from) {
+  const std::string comments =
+      fmt::format("# {}\n# scene {}\n", one_line(from.command), one_line(from.scene));
+  file.insert(file.begin() + 3, comments.begin(), comments.end());
+}
+
+}  // namespace
+
+void require_image_path(const fs::path& path) {
+  if (format_of(path).empty()) {
+    throw std::invalid_argument(fmt::format("{}: images end in .png, .exr or .ppm", path.string()));
+  }
+}
+
+void write_image(const fs::path& path, const Image& image, const Provenance& provenance) {
+  require_image_path(path);
+  const std::string format(format_of(path));
+  const bool linear = format == "openexr";
+  const auto output = OIIO::ImageOutput::create(format);
+  if (!output) {
+    throw std::runtime_error(fmt::format("{}: OpenImageIO cannot write {}", path.string(), format));
+  }
+  OIIO::ImageSpec spec(image.width, image.height, 3,
+                       linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", linear ? "linear" : "sRGB");
+  spec.attribute("Software", one_line(provenance.command));
+  spec.attribute("ImageDescription", one_line(fmt::format("scene {}", provenance.scene)));
+  if (linear) {
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "1970:01:01 00:00:00");  // or the time of day makes files differ
+  }
+
+  std::vector<unsigned char> file;
+  OIIO::Filesystem::IOVecOutput memory(file);
+  const std::vector<std::uint8_t> bytes = linear ? std::vector<std::uint8_t>{} : to_bytes(image);
+  const void* pixels = linear ? static_cast<const void*>(image.pixels.data()) : bytes.data();
+  if (!output->set_ioproxy(&memory) || !output->open("image." + format, spec) ||
+      !output->write_image(spec.format, pixels) || !output->close()) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), output->geterror()));
+  }
+  if (format == "pnm") {
+    add_comments(file, provenance);
+  }
+  write_file(path, std::as_bytes(std::span(file)));
+}
+
+}  // namespace raycat

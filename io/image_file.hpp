@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "tracer/image.hpp"
+
+namespace raycat {
+
+/// Where an image comes from, written into the file: as text chunks in PNG, attributes in EXR,
+/// comments in PPM.
+struct Provenance {
+  std::string command;  ///< that makes it again
+  std::string scene;    ///< the scene file
+};
+
+/// Throws `std::invalid_argument` unless `path` names a kind of image that can be written: it
+/// ends in .png, .exr or .ppm, or is a device, which is sent PNG.
+void require_image_path(const std::filesystem::path& path);
+
+/// Writes `image` as sRGB, 8 bits a channel and clamped to what these can show (PNG, PPM), or as
+/// linear float (EXR). The file is there whole or not at all. Throws as `require_image_path`
+/// does, and `std::runtime_error` if it cannot be written.
+void write_image(const std::filesystem::path& path, const Image& image,
+                 const Provenance& provenance);
+
+}  // namespace raycat

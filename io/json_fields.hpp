@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <nlohmann/json.hpp>
+
+namespace raycat {
+
+/// One JSON object inside a scene file, read key by key. Everything throws `LoadError`, whose
+/// message names the path of what is wrong: `extras.shape: radius: expected a number, ...`. What
+/// is absent is `std::nullopt`.
+class JsonFields {
+ public:
+  /// `path` leads to `object` from `place`. The object must outlive this.
+  JsonFields(std::filesystem::path file, std::string place, std::string path,
+             const nlohmann::json& object);
+
+  std::optional<double> number(std::string_view key);
+  std::optional<glm::dvec2> vector2(std::string_view key);
+  std::optional<glm::dvec3> vector(std::string_view key);
+  std::optional<glm::dvec4> vector4(std::string_view key);
+  std::optional<glm::dvec3> number_or_vector(std::string_view key);  ///< 0.5 is (0.5, 0.5, 0.5)
+  std::optional<std::string> string(std::string_view key);
+  std::optional<std::size_t> index(std::string_view key, std::string_view of, std::size_t size);
+  std::optional<std::vector<glm::dvec3>> vectors(std::string_view key);
+  std::optional<std::vector<std::vector<std::uint32_t>>> index_lists(std::string_view key);
+  std::optional<JsonFields> object(std::string_view key);
+
+  /// The string `type`, which must be there. Messages do not list it among the expected keys.
+  std::string type();
+
+  /// Refuses all keys but those that were asked for.
+  void refuse_others() const;
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  const nlohmann::json* find(std::string_view key);
+  template <int size>
+  glm::vec<size, double> vector(const nlohmann::json& value, std::string_view key) const;
+  [[noreturn]] void fail_type(std::string_view key, std::string_view expected,
+                              const nlohmann::json& value) const;
+
+  std::filesystem::path file_;
+  std::string place_;
+  std::string path_;
+  const nlohmann::json* object_;
+  std::vector<std::string> asked_;
+  bool typed_ = false;
+};
+
+}  // namespace raycat

@@ -1,0 +1,55 @@
+#include "io/mesh_scene.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "geometry/mesh.hpp"
+#include "geometry/mesh_faces.hpp"
+#include "io/input_file.hpp"
+#include "io/mesh_file.hpp"
+
+namespace raycat {
+
+namespace {
+
+bool encloses_volume(const TriangleMesh& mesh) {
+  try {
+    const ClosedMesh closed(mesh);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+SceneFile read_mesh_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  auto mesh = std::make_shared<SurfaceMesh>();
+  mesh->triangles = read_mesh_file(file);
+  TriangleMesh& triangles = mesh->triangles;
+  triangles.faces = group_faces(triangles.positions, triangles.triangles, {}, options.faces);
+  triangles.face_count = 1 + *std::ranges::max_element(triangles.faces);
+
+  SceneFile out;
+  const std::string extension = lower_extension(file);
+  out.up = extension == ".stl" || extension == ".off" ? glm::dvec3(0.0, 0.0, 1.0)
+                                                      : glm::dvec3(0.0, 1.0, 0.0);
+  out.triangles = triangles.triangles.size();
+  out.closed = encloses_volume(triangles);
+  Material grey;
+  grey.name = "grey";
+  grey.ambient = grey.diffuse = glm::vec3(0.5f);
+  grey.specular = glm::vec3(0.1f);
+  grey.shininess = 20.0f;
+  out.scene.materials.push_back(std::move(grey));
+  const std::string name = file.stem().string();
+  out.scene.surfaces.add_object(name);
+  const SurfaceId first = out.scene.surfaces.add_primitive(name, triangles.face_count);
+  out.scene.meshes.push_back(
+      {.mesh = std::move(mesh), .transform = {}, .material = MaterialId{0}, .first_face = first});
+  return out;
+}
+
+}  // namespace raycat

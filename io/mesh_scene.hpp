@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/scene_file.hpp"
+
+namespace raycat {
+
+/// A mesh file as a scene of one object, named for the file: grey, its triangles joined into
+/// faces. Throws `LoadError` as `read_mesh_file` does.
+SceneFile read_mesh_scene(const std::filesystem::path& file, const LoadOptions& options);
+
+}  // namespace raycat

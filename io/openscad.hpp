@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/scene_file.hpp"
+
+namespace raycat {
+
+/// Reads an OpenSCAD .csg file: the tree that OpenSCAD dumps, or a person writes. Throws
+/// `LoadError`, naming line and node.
+SceneFile read_openscad(const std::filesystem::path& file, const LoadOptions& options);
+
+}  // namespace raycat

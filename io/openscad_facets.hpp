@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace raycat::openscad {
+
+/// $fn, $fa (degrees) and $fs: into how many facets circles are divided.
+struct FacetRule {
+  double number = 0.0;
+  double angle = 12.0;
+  double size = 2.0;
+};
+
+/// Polygons counter-clockwise from outside, and the surface that each is a facet of.
+struct Facets {
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<std::uint32_t>> polygons;
+  std::vector<std::uint32_t> surface;
+};
+
+/// The corners of a circle. Throws `std::length_error` past a million.
+std::uint32_t facet_count(double radius, const FacetRule& rule);
+
+/// How many triangles `facet_sphere` and `facet_cylinder` give at most for this count.
+std::uint64_t sphere_triangles(std::uint32_t count);
+std::uint64_t cylinder_triangles(std::uint32_t count);
+
+/// OpenSCAD's sphere: rings of `count` corners at polar angles 180 (i + 0.5) / rings degrees,
+/// flat caps, no corners at the poles. One surface.
+Facets facet_sphere(double radius, std::uint32_t count);
+
+/// From z = 0 to `height`; of the radii one may be 0. Surfaces: side, bottom unless its radius
+/// is 0, top unless its radius is 0.
+Facets facet_cylinder(double height, double radius_bottom, double radius_top, std::uint32_t count);
+
+}  // namespace raycat::openscad

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "io/openscad_parser.hpp"
+#include "tracer/camera.hpp"
+
+namespace raycat::openscad {
+
+/// The camera that `$vpt`, `$vpr` (degrees), `$vpd` and `$vpf` (degrees, of the image's height)
+/// set, as OpenSCAD's window shows it; nothing if the file sets none of them. Those it does not
+/// set have OpenSCAD's defaults. Throws `LoadError` for a value out of range.
+std::optional<Camera> view(const std::filesystem::path& file, const File& parsed);
+
+}  // namespace raycat::openscad

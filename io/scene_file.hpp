@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh_faces.hpp"
+#include "tracer/scene.hpp"
+
+namespace raycat {
+
+/// A file that cannot be read as a scene. The message is one line: `FILE: place: what is wrong`.
+class LoadError : public std::runtime_error {
+ public:
+  LoadError(const std::filesystem::path& file, const std::string& place, const std::string& what);
+};
+
+struct LoadOptions {
+  FaceRule faces;         ///< how mesh triangles join into faces
+  double exposure = 0.0;  ///< EV: glTF's lights count 2^exposure times
+};
+
+/// A scene and what else its file tells.
+struct SceneFile {
+  Scene scene;
+  glm::dvec3 up{0.0, 1.0, 0.0};         ///< +Z for .csg, .stl and .off; else +Y
+  std::uint64_t triangles = 0;          ///< of meshes, instances counted as drawn
+  std::uint64_t csg_nodes = 0;          ///< leaves and operations, of trees with an operation
+  bool closed = true;                   ///< does every object enclose a volume?
+  std::vector<std::string> extensions;  ///< that the file says it uses
+  std::vector<std::string> warnings;    ///< one line each
+};
+
+/// Reads a scene file, its kind told by content and extension: glTF 2.0 (.gltf, .glb), OpenSCAD
+/// CSG (.csg), or a mesh (.obj, .ply, .stl, .off). Throws `LoadError`.
+SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
+
+}  // namespace raycat

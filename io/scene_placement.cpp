@@ -1,0 +1,163 @@
+#include "io/scene_placement.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+
+#include "geometry/mesh.hpp"
+#include "io/gltf_mesh.hpp"
+
+namespace raycat {
+namespace {
+
+// One object of a scene: a solid or some mesh instances.
+struct Parts {
+  const SolidObject* solid = nullptr;
+  std::vector<const MeshInstance*> meshes;
+};
+
+std::vector<Parts> objects(const Scene& scene) {
+  std::vector<Parts> objects(scene.surfaces.objects());
+  const auto object_of = [&](SurfaceId face) -> Parts& {
+    return objects[static_cast<std::size_t>(scene.surfaces.object(face))];
+  };
+  for (const SolidObject& solid : scene.solids) {
+    object_of(solid.solid.tree().leaves().front().first_face).solid = &solid;
+  }
+  for (const MeshInstance& mesh : scene.meshes) {
+    object_of(mesh.first_face).meshes.push_back(&mesh);
+  }
+  return objects;
+}
+
+Affine placed(const Affine& transform, const Placement& placement) {
+  return Affine(placement.world * transform.matrix());
+}
+
+MaterialId placed(MaterialId material, const Placement& placement) {
+  return MaterialId{placement.first_material + static_cast<std::uint32_t>(material)};
+}
+
+std::string placed(const std::string& name, const Placement& placement) {
+  return placement.name + "/" + name;
+}
+
+std::string primitive_name(const Scene& scene, SurfaceId face) {
+  return scene.surfaces.name(scene.surfaces.primitive(face));
+}
+
+CsgTree::NodeId add_leaf(const Scene& part, const CsgLeaf& leaf, MaterialId material,
+                         const Placement& placement, SceneAssembly& to, TreeAssembly& tree) {
+  PlacedShape shape(leaf.shape.shape(), placed(leaf.shape.transform(), placement));
+  const SurfaceId first = to.add_primitive(placed(primitive_name(part, leaf.first_face), placement),
+                                           shape.face_count());
+  tree.materials.push_back(placed(material, placement));
+  return tree.tree.add(CsgLeaf{.shape = std::move(shape), .first_face = first});
+}
+
+CsgTree::NodeId add_tree(const Scene& part, const SolidObject& solid, const Placement& placement,
+                         SceneAssembly& to, TreeAssembly& tree) {
+  const auto nodes = solid.solid.tree().nodes();
+  const auto leaves = solid.solid.tree().leaves();
+  std::vector<std::vector<std::size_t>> children(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].parent != CsgTree::no_parent) {
+      auto& siblings = children[nodes[i].parent];
+      // What is subtracted from goes first, wherever it was added.
+      siblings.insert(nodes[i].subtracted ? siblings.end() : siblings.begin(), i);
+    }
+  }
+  std::vector<CsgTree::NodeId> copies(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].leaf != CsgTree::no_leaf) {
+      copies[i] = add_leaf(part, leaves[nodes[i].leaf], solid.materials[nodes[i].leaf], placement,
+                           to, tree);
+      continue;
+    }
+    std::vector<CsgTree::NodeId> operands;
+    for (const std::size_t child : children[i]) {
+      operands.push_back(copies[child]);
+    }
+    copies[i] = tree.tree.add(nodes[i].operation, operands);
+  }
+  return copies.back();
+}
+
+// All meshes of an object close a volume together, each where it stands.
+CsgTree::NodeId add_meshes(const Scene& part, std::span<const MeshInstance* const> meshes,
+                           const Placement& placement, SceneAssembly& to, TreeAssembly& tree) {
+  std::vector<TriangleMesh> moved;
+  std::vector<const TriangleMesh*> pointers;
+  for (const MeshInstance* mesh : meshes) {
+    moved.push_back(mesh->mesh->triangles);
+    for (glm::dvec3& position : moved.back().positions) {
+      position = mesh->transform.point(position);
+    }
+    for (glm::uvec3& triangle : moved.back().triangles) {
+      triangle =
+          mesh->transform.mirrored() ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle;
+    }
+  }
+  for (const TriangleMesh& mesh : moved) {
+    pointers.push_back(&mesh);
+  }
+  PlacedShape shape(std::make_shared<const ClosedMesh>(joined(pointers)), Affine(placement.world));
+  const SurfaceId first = to.add_primitive(
+      placed(primitive_name(part, meshes.front()->first_face), placement), shape.face_count());
+  tree.materials.push_back(placed(meshes.front()->material, placement));
+  return tree.tree.add(CsgLeaf{.shape = std::move(shape), .first_face = first});
+}
+
+}  // namespace
+
+std::uint32_t add_materials(const Scene& part, Scene& to) {
+  const auto first = static_cast<std::uint32_t>(to.materials.size());
+  const auto first_texture = static_cast<std::uint32_t>(to.textures.size());
+  for (Material material : part.materials) {
+    if (material.base_texture) {
+      material.base_texture =
+          TextureId{first_texture + static_cast<std::uint32_t>(*material.base_texture)};
+    }
+    to.materials.push_back(std::move(material));
+  }
+  to.textures.insert(to.textures.end(), part.textures.begin(), part.textures.end());
+  return first;
+}
+
+void place_objects(const Scene& part, const Placement& placement, SceneAssembly& to) {
+  const std::vector<Parts> all = objects(part);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& name = part.surfaces.name(static_cast<ObjectId>(i));
+    to.add_object(all.size() == 1 ? placement.name : placed(name, placement));
+    if (all[i].solid) {
+      TreeAssembly tree;
+      add_tree(part, *all[i].solid, placement, to, tree);
+      to.out.scene.solids.push_back(
+          {.solid = Solid(std::move(tree.tree)), .materials = std::move(tree.materials)});
+    }
+    for (const MeshInstance* mesh : all[i].meshes) {
+      const SurfaceId first =
+          to.add_primitive(placed(primitive_name(part, mesh->first_face), placement),
+                           mesh->mesh->triangles.face_count);
+      to.out.scene.meshes.push_back({.mesh = mesh->mesh,
+                                     .transform = placed(mesh->transform, placement),
+                                     .material = placed(mesh->material, placement),
+                                     .first_face = first});
+    }
+  }
+}
+
+std::vector<CsgTree::NodeId> place_operands(const Scene& part, const Placement& placement,
+                                            SceneAssembly& to, TreeAssembly& tree) {
+  std::vector<CsgTree::NodeId> operands;
+  for (const Parts& object : objects(part)) {
+    if (object.solid) {
+      operands.push_back(add_tree(part, *object.solid, placement, to, tree));
+    } else if (!object.meshes.empty()) {
+      operands.push_back(add_meshes(part, object.meshes, placement, to, tree));
+    }
+  }
+  return operands;
+}
+
+}  // namespace raycat

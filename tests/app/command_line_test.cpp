@@ -1,0 +1,153 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/program.hpp"
+
+namespace raycat {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_CASE("render writes every map of one pass and says what it did", "[app][render]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = raycat(fmt::format(
+      "render {} --size 96x64 --json -o '{}' --edges '{}' --overlay '{}' --lines '{}' --segments "
+      "'{}' --stats '{}'",
+      scene("fig10"), folder / "out.exr", folder / "edges.png", folder / "overlay.ppm",
+      folder / "lines.png", folder / "segments.png", folder / "stats.json"));
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(folder.files() == 6);
+  const Json stats = Json::parse(outcome.out);
+  CHECK(Json::parse(read_file(folder / "stats.json")).size() == stats.size());
+  CHECK(stats["width"] == 96);
+  CHECK(stats["height"] == 64);
+  CHECK(stats["categories"]["method"] == "heap");
+  CHECK(stats["categories"]["ids"] == "face");
+  CHECK(stats["categories"]["levels"] == 8);
+  CHECK(stats["categories"]["lights"] == true);
+  CHECK(stats["categories"]["distinct"] > 10);
+  CHECK(stats["categories"]["textured_pixels"] == 0);
+  CHECK(stats["edges"]["pixels"] > 100);
+  CHECK(stats["edges"]["fraction"] == Approx(stats["edges"]["pixels"].get<double>() / (96 * 64)));
+  CHECK(stats["samples"]["colour"] == 96 * 64);
+  CHECK(stats["samples"]["category_only"] == 96 + 64 + 1);
+  CHECK(stats["rays"]["camera"] == 97 * 65);
+  CHECK(stats["seconds"]["trace"] > 0.0);
+  CHECK(stats["peak_memory_bytes"] > 1'000'000);
+}
+
+TEST_CASE("files have the same bytes whatever the number of threads", "[app][render]") {
+  const TemporaryFolder folder;
+  for (const int threads : {1, 2, 5}) {
+    REQUIRE(raycat(fmt::format("render {} --size 120x90 --threads {} -o '{}' --segments '{}'",
+                               scene("fig9"), threads, folder / fmt::format("{}.png", threads),
+                               folder / fmt::format("{}-s.exr", threads)))
+                .code == 0);
+  }
+  CHECK((read_file(folder / "1.png") == read_file(folder / "2.png")));
+  CHECK((read_file(folder / "1.png") == read_file(folder / "5.png")));
+  CHECK((read_file(folder / "1-s.exr") == read_file(folder / "5-s.exr")));
+}
+
+TEST_CASE("images say what made them", "[app][render]") {
+  const TemporaryFolder folder;
+  const std::string name = GENERATE("a.png", "a.exr", "a.ppm");
+  REQUIRE(
+      raycat(fmt::format("render {} --size 32x32 --levels 3 -o '{}'", scene("fig1"), folder / name))
+          .code == 0);
+  const std::string bytes = read_file(folder / name);
+  CHECK(bytes.find("raycat render") != std::string::npos);
+  CHECK(bytes.find("--size 32x32 --levels 3") != std::string::npos);
+  CHECK(bytes.find("fig1.gltf") != std::string::npos);
+}
+
+TEST_CASE("less detail makes fewer categories", "[app][render]") {
+  const auto distinct = [](const std::string& options, const std::string& name = "fig8") {
+    const Outcome outcome =
+        raycat(fmt::format("render {} --size 128x128 --json {}", scene(name), options));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return Json::parse(outcome.out)["categories"]["distinct"].get<int>();
+  };
+  const int all = distinct("");
+  CHECK(distinct("--category-levels 2") < all);
+  CHECK(distinct("--lights off") < all);
+  CHECK(distinct("--ids object", "fig10") < distinct("--ids primitive", "fig10"));
+  CHECK(distinct("--ids primitive", "fig10") < distinct("", "fig10"));
+  CHECK(distinct("--min-weight 0.2") < all);
+  CHECK(distinct("--category-levels 1 --lights off --ids object") <= 24);
+}
+
+TEST_CASE("info counts what a scene holds", "[app][info]") {
+  const Outcome outcome = raycat("info " + scene("fig10") + " --json");
+  REQUIRE(outcome.code == 0);
+  const Json info = Json::parse(outcome.out);
+  CHECK(info["objects"] == 4);
+  CHECK(info["primitives"] == 7);
+  CHECK(info["faces"] == 3 * 7 + 1);
+  CHECK(info["triangles"] == 0);
+  CHECK(info["csg_nodes"] == 9);
+  CHECK(info["closed"] == true);
+  CHECK(info["cameras"].size() == 1);
+  CHECK(info["bounds"]["min"].size() == 3);
+  CHECK(info["warnings"].empty());
+}
+
+TEST_CASE("a scene without lights is lit, and info says so", "[app][info]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("cube.csg", "cube([1,2,3]);\n");
+  const Json info = Json::parse(raycat("info '" + file + "' --json").out);
+  CHECK(info["lights"] == 0);
+  CHECK(info["warnings"].dump().find("headlight") != std::string::npos);
+}
+
+TEST_CASE("probe draws the ray tree of a pixel", "[app][probe]") {
+  const Outcome outcome = raycat("probe " + scene("fig1") + " --pixel 400,240");
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.out.find("1 camera: B face 0, lit by L, weight 1\n") == 0);
+  CHECK(outcome.out.find("heap category: 0101") != std::string::npos);
+}
+
+TEST_CASE("probe lists the crossings of rays with set operations applied", "[app][probe]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "tube.csg", "difference() { cube([4,4,4], center=true); cube([2,2,9], center=true); }");
+  const Outcome outcome =
+      shell(fmt::format("printf '%s\\n' '-5 0 0 2 0 0' '0 0 9 0 0 -1' '-1.5 0 0 1 0 0' | '{}' "
+                        "probe '{}' --rays - --json",
+                        RAYCAT_PROGRAM, file));
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  std::istringstream lines(outcome.out);
+  std::string line;
+  REQUIRE(std::getline(lines, line));
+  const Json across = Json::parse(line)["crossings"];
+  REQUIRE(across.size() == 4);
+  CHECK(across[0]["t"] == 1.5);
+  CHECK(across[0]["entering"] == true);
+  CHECK(across[0]["normal"] == Json{-1.0, 0.0, 0.0});
+  CHECK(across[1]["t"] == 2.0);
+  CHECK(across[1]["entering"] == false);
+  CHECK(across[1]["normal"] == Json{1.0, 0.0, 0.0});
+  CHECK(across[1]["id"] != across[0]["id"]);
+  CHECK(across[2]["t"] == 3.0);
+  CHECK(across[3]["t"] == 3.5);
+  CHECK(across[0]["object"] == across[3]["object"]);
+  REQUIRE(std::getline(lines, line));
+  CHECK(Json::parse(line)["crossings"].empty());
+  REQUIRE(std::getline(lines, line));
+  CHECK(Json::parse(line)["crossings"].size() == 3);
+}
+
+TEST_CASE("help and version are no errors", "[app]") {
+  CHECK(raycat("--version").out == "raycat 0.1.0\n");
+  CHECK(raycat("--help").code == 0);
+  const Outcome help = raycat("render --help");
+  CHECK(help.code == 0);
+  CHECK(help.out.find("--overlay") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace raycat
