@@ -6,9 +6,13 @@ void reduce(RayTree& tree, const Detail& detail, const SurfaceTable& surfaces) {
   std::erase_if(tree, [&](const RayNode& node) {
     return level(node.position) > detail.levels || node.weight < detail.min_weight;
   });
-  for (RayNode& node : tree) {
-    node.surface = surfaces.at(detail.ids, node.surface);
-    if (!detail.lights) {
+  if (detail.ids != Granularity::face) {
+    for (RayNode& node : tree) {
+      node.surface = surfaces.at(detail.ids, node.surface);
+    }
+  }
+  if (!detail.lights) {
+    for (RayNode& node : tree) {
       node.lights = 0;
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "tracer/parallel.hpp"
@@ -46,19 +47,33 @@ std::vector<bool> textured_primitives(const Scene& scene) {
 struct Worker {
   TraceScratch scratch;
   RayTree tree;
+  RayTree reduced;
   CategoryWords words;
-  CategoryWords last_words;
-  CategoryId last{};
   CategoryTable table;
   std::uint64_t textured_pixels = 0;
+
+  // Of the sample before, which is most often alike.
+  RayTree last_tree;
+  std::optional<CategoryId> last;
 };
 
-CategoryId intern(Worker& worker) {
-  if (worker.table.size() == 0 || worker.words != worker.last_words) {
+bool same(const RayTree& a, const RayTree& b) {
+  return std::ranges::equal(a, b, [](const RayNode& left, const RayNode& right) {
+    return left == right && left.weight == right.weight;
+  });
+}
+
+// The category, in the worker's own table, of the tree that it has recorded.
+CategoryId category(Worker& worker, const Detail& detail, const SurfaceTable& surfaces,
+                    const Encoder& encoder) {
+  if (!worker.last || !same(worker.tree, worker.last_tree)) {
+    worker.reduced = worker.tree;
+    reduce(worker.reduced, detail, surfaces);
+    encode(encoder, worker.reduced, worker.words);
     worker.last = worker.table.intern(worker.words);
-    std::swap(worker.last_words, worker.words);
+    std::swap(worker.last_tree, worker.tree);
   }
-  return worker.last;
+  return *worker.last;
 }
 
 // Numbers the categories anew by first appearance in the image, whichever thread met them.
@@ -70,13 +85,16 @@ void number_in_order(CategoryImage& image, const std::vector<Worker>& workers,
     known.emplace_back(worker.table.size(), unknown);
   }
   const auto columns = static_cast<std::size_t>(image.width) + 1;
-  for (std::size_t i = 0; i < image.samples.size(); ++i) {
-    const auto w = static_cast<std::size_t>(row_worker[i / columns]);
-    CategoryId& id = known[w][static_cast<std::size_t>(image.samples[i])];
-    if (id == unknown) {
-      id = image.table.intern(workers[w].table.words(image.samples[i]));
+  std::size_t next = 0;
+  for (const int worker : row_worker) {
+    const auto w = static_cast<std::size_t>(worker);
+    for (const std::size_t end = next + columns; next < end; ++next) {
+      CategoryId& id = known[w][static_cast<std::size_t>(image.samples[next])];
+      if (id == unknown) {
+        id = image.table.intern(workers[w].table.words(image.samples[next]));
+      }
+      image.samples[next] = id;
     }
-    image.samples[i] = id;
   }
 }
 
@@ -122,10 +140,9 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
           return textured[static_cast<std::size_t>(scene.surfaces.primitive(node.surface))];
         });
       }
-      reduce(worker.tree, settings.detail, scene.surfaces);
-      encode(encoder, worker.tree, worker.words);
       categories.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
-                         static_cast<std::size_t>(x)] = intern(worker);
+                         static_cast<std::size_t>(x)] =
+          category(worker, settings.detail, scene.surfaces, encoder);
     }
     progress.row_done();
   });

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/line_clip.hpp"
+
 namespace raycat {
 namespace {
 
@@ -15,29 +17,6 @@ constexpr double relative_tolerance = 1e-7;  // of the half diagonal (DESIGN 7)
 
 constexpr Bounds everywhere{.min = glm::dvec3(-std::numeric_limits<double>::infinity()),
                             .max = glm::dvec3(std::numeric_limits<double>::infinity())};
-
-// Does the whole line meet the box? A box is closed here, so that nothing is lost to rounding
-// but lines that touch it.
-bool meets(const Ray& ray, const Bounds& box) {
-  double near = -std::numeric_limits<double>::infinity();
-  double far = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double direction = ray.direction[axis];
-    const double low = box.min[axis] - ray.origin[axis];
-    const double high = box.max[axis] - ray.origin[axis];
-    if (direction == 0.0) {
-      if (low > 0.0 || high < 0.0) {
-        return false;
-      }
-      continue;
-    }
-    const double a = low / direction;
-    const double b = high / direction;
-    near = std::max(near, std::min(a, b));
-    far = std::min(far, std::max(a, b));
-  }
-  return near <= far;
-}
 
 // The node's own bounds from those of its operands, added in order.
 void extend(Bounds& node, const CsgTree::Node& operand, const Bounds& bounds, Operation operation) {
@@ -150,11 +129,11 @@ bool Solid::toggle(std::uint32_t leaf, Scratch& scratch) const {
   }
 }
 
-void Solid::gather(const Ray& ray, Scratch& scratch) const {
+void Solid::gather(const Ray& ray, const LineClip& clip, Scratch& scratch) const {
   const auto leaves = tree_.leaves();
   for (std::uint32_t i = 0; i < leaves.size(); ++i) {
     const PlacedShape& shape = leaves[i].shape;
-    if (!meets(ray, shape.bounds())) {
+    if (clip(shape.bounds()).empty()) {
       continue;
     }
     const auto first = static_cast<std::uint32_t>(scratch.crossings.size());
@@ -227,14 +206,15 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
     }
     return starts_inside;
   }
-  if (!meets(ray, bounds_)) {
+  const LineClip clip(ray);
+  if (clip(bounds_).empty()) {
     return false;
   }
   scratch.events.clear();
   scratch.touched.clear();
   scratch.true_inputs = true_inputs_;
   scratch.changed.assign(gates_.size(), 0);
-  gather(ray, scratch);
+  gather(ray, clip, scratch);
   const bool starts_inside = inside(scratch);
 
   const double group_length = tolerance_ / glm::length(ray.direction);

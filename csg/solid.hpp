@@ -11,6 +11,8 @@
 
 namespace raycat {
 
+class LineClip;
+
 /// One passage of a line through the boundary of a solid.
 struct Boundary {
   double t = 0.0;           ///< in units of the ray's direction
@@ -66,7 +68,7 @@ class Solid {
     bool subtracted = false;  // an odd number of negations up to the root
   };
 
-  void gather(const Ray& ray, Scratch& scratch) const;
+  void gather(const Ray& ray, const LineClip& clip, Scratch& scratch) const;
   bool toggle(std::uint32_t leaf, Scratch& scratch) const;
   void report_group(std::size_t begin, std::size_t end, Scratch& scratch) const;
   bool inside(const Scratch& scratch) const;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/line_clip.hpp"
 #include "geometry/line_view.hpp"
 
 namespace raycat {
@@ -23,34 +23,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Up to here, testing every triangle is faster than asking Embree for the right ones.
 constexpr std::size_t most_unindexed = 32;
-
-struct Interval {
-  double begin;
-  double end;
-};
-
-// Where the line is in the box.
-std::optional<Interval> clip(const glm::dvec3& origin, const glm::dvec3& direction,
-                             const Bounds& box) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Interval inside{-infinity, infinity};
-  for (int k = 0; k < 3; ++k) {
-    if (direction[k] == 0.0) {
-      if (origin[k] < box.min[k] || origin[k] > box.max[k]) {
-        return std::nullopt;
-      }
-      continue;
-    }
-    const double a = (box.min[k] - origin[k]) / direction[k];
-    const double b = (box.max[k] - origin[k]) / direction[k];
-    inside.begin = std::max(inside.begin, std::min(a, b));
-    inside.end = std::min(inside.end, std::max(a, b));
-  }
-  if (inside.begin > inside.end) {
-    return std::nullopt;
-  }
-  return inside;
-}
 
 // Wider by what rounding can do to a line that touches it.
 Bounds widened(Bounds box) {
@@ -206,24 +178,24 @@ TriangleIndex::~TriangleIndex() = default;
 void TriangleIndex::pass(const Ray& ray, Passages& out) const {
   out.list.clear();
   const Bounds box = widened(bounds_);
-  std::optional<Interval> inside = clip(ray.origin, ray.direction, box);
-  if (!inside) {
+  Interval inside = LineClip(ray)(box);
+  if (inside.empty()) {
     return;
   }
   // A far origin would cost the view its precision, so the view starts at the point of the box
   // that is next to it. With a fused multiplication that point is on the line to its last bit.
   out.near = ray;
-  out.t_shift = std::clamp(0.0, inside->begin, inside->end);
+  out.t_shift = std::clamp(0.0, inside.begin, inside.end);
   if (out.t_shift != 0.0) {
     for (int k = 0; k < 3; ++k) {
       out.near.origin[k] = std::fma(out.t_shift, ray.direction[k], ray.origin[k]);
     }
-    inside = clip(out.near.origin, out.near.direction, box);
-    if (!inside) {
+    inside = LineClip(out.near)(box);
+    if (inside.empty()) {
       return;
     }
   }
-  const double reach = std::max(std::abs(inside->begin), std::abs(inside->end));
+  const double reach = std::max(std::abs(inside.begin), std::abs(inside.end));
   out.tolerance = epsilon * (16.0 * reach + 2.0 * std::abs(out.t_shift));
 
   const LineView view(out.near.origin, out.near.direction);

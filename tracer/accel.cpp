@@ -12,6 +12,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtx/component_wise.hpp>
 
+#include "geometry/line_clip.hpp"
+
 namespace raycat {
 namespace {
 
@@ -40,11 +42,14 @@ double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
 
 // One ray under way through Embree. The context comes first, so that callbacks find the rest.
 struct Query {
+  Query(const Ray& of, double end, Solid::Scratch& buffers)
+      : ray(&of), t_end(end), scratch(&buffers) {}
+
   RTCIntersectContext context;
-  const Ray* ray = nullptr;
+  const Ray* ray;
   double start = 0.0;  // where Embree's t = 0 is on the ray
-  double t_end = infinity;
-  Solid::Scratch* scratch = nullptr;
+  double t_end;
+  Solid::Scratch* scratch;
 
   const SolidObject* solid = nullptr;  // the closest so far, and where it is met
   Boundary boundary;
@@ -53,10 +58,10 @@ struct Query {
 
   // Where it has passed through meshes. Embree may report both triangles at an edge.
   struct Passage {
-    unsigned mesh = 0;
-    float t = 0.0f;
+    unsigned mesh;
+    float t;
   };
-  std::array<Passage, 16> passages;
+  std::array<Passage, 16> passages;  // the first `passage_count`; the rest is not even cleared
   std::size_t passage_count = 0;
 };
 
@@ -283,26 +288,11 @@ void Accel::Index::add_solids() {
 // Makes Embree's ray, from where `ray` enters the scene's box. False if it does not, or not
 // before `query.t_end`.
 bool Accel::Index::start(const Ray& ray, Query& query, RTCRay& out) const {
-  double near = 0.0;
-  double far = query.t_end;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.min[axis] - ray.origin[axis];
-    const double high = box.max[axis] - ray.origin[axis];
-    const double direction = ray.direction[axis];
-    if (direction == 0.0) {
-      if (low > 0.0 || high < 0.0) {
-        return false;
-      }
-      continue;
-    }
-    const double a = low / direction;
-    const double b = high / direction;
-    near = std::max(near, std::min(a, b));
-    far = std::min(far, std::max(a, b));
-  }
-  if (!(near <= far)) {
+  const Interval inside = LineClip(ray)(box, {.begin = 0.0, .end = query.t_end});
+  if (inside.empty()) {
     return false;
   }
+  const double near = inside.begin;
   query.start = near;
   const glm::vec3 origin(ray.at(near) - centre);
   const glm::vec3 direction(ray.direction);
@@ -332,6 +322,7 @@ Hit Accel::Index::mesh_hit(const Ray& ray, const RTCRayHit& found) const {
   const glm::dvec3 normal = glm::cross(ab, ac);
   const glm::dvec3 from = local.origin - triangle.a;
   const double facing = glm::dot(normal, local.direction);
+  const double inverse = 1.0 / facing;
   const glm::dvec3 turn = glm::cross(from, local.direction);
   const std::uint32_t face = instance.mesh->triangles.faces[found.hit.primID];
   return {.t = -glm::dot(normal, from) / facing,
@@ -341,8 +332,8 @@ Hit Accel::Index::mesh_hit(const Ray& ray, const RTCRayHit& found) const {
           .normal = instance.transform.normal(normal),
           .mesh = &instance,
           .triangle = found.hit.primID,
-          .barycentric = {glm::clamp(glm::dot(ac, turn) / -facing, 0.0, 1.0),
-                          glm::clamp(glm::dot(ab, turn) / facing, 0.0, 1.0)}};
+          .barycentric = {glm::clamp(glm::dot(ac, turn) * -inverse, 0.0, 1.0),
+                          glm::clamp(glm::dot(ab, turn) * inverse, 0.0, 1.0)}};
 }
 
 Accel::Accel(const Scene& scene) : scene_(scene), index_(std::make_unique<Index>(scene)) {
@@ -371,7 +362,7 @@ Accel::Accel(const Scene& scene) : scene_(scene), index_(std::make_unique<Index>
 Accel::~Accel() = default;
 
 std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch) const {
-  Query query{.context = {}, .ray = &ray, .scratch = &scratch};
+  Query query(ray, infinity, scratch);
   for (const SolidObject* object : index_->unbounded) {
     try_closest(*object, query);
   }
@@ -382,8 +373,8 @@ std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch) const
     rtcIntersect1(index_->embree.get(), &query.context, &found);
   }
   if (found.hit.geomID < scene_.meshes.size()) {
-    const Hit hit = index_->mesh_hit(ray, found);
-    if (hit.t < query.t_end) {
+    std::optional<Hit> hit(index_->mesh_hit(ray, found));
+    if (hit->t < query.t_end) {
       return hit;
     }
   }
@@ -399,7 +390,7 @@ std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch) const
 }
 
 glm::vec3 Accel::transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch) const {
-  Query query{.context = {}, .ray = &ray, .t_end = t_end, .scratch = &scratch};
+  Query query(ray, t_end, scratch);
   for (const SolidObject* object : index_->unbounded) {
     if (!let_through(*object, scene_, query)) {
       return glm::vec3(0.0f);

@@ -44,10 +44,9 @@ Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3
 }
 
 Camera frame(const Bounds& bounds, const glm::dvec3& up, double aspect, bool orthographic) {
+  constexpr double margin = 1.08;
   const bool nothing = bounds.empty() || !bounds.finite();
-  const glm::dvec3 target = nothing ? glm::dvec3(0.0) : bounds.center();
-  const double radius = nothing ? 1.0 : glm::length(bounds.half_size());
-  const double margin = 1.05 * (radius > 0.0 ? radius : 1.0);
+  const Bounds box = nothing ? Bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)} : bounds;
   // Front right and above: 35 degrees round, 25 degrees up, whichever axis is up.
   const glm::dvec3 side(1.0, 0.0, 0.0);
   const glm::dvec3 front = glm::cross(side, up);
@@ -55,12 +54,27 @@ Camera frame(const Bounds& bounds, const glm::dvec3& up, double aspect, bool ort
   const double rise = 0.4363323129985824;
   const glm::dvec3 towards_eye =
       std::cos(rise) * (std::sin(round) * side + std::cos(round) * front) + std::sin(rise) * up;
-  const double half_fov = default_fov / 2;
-  const double narrow = std::min(1.0, aspect);
-  const double distance = margin / std::sin(std::atan(std::tan(half_fov) * narrow));
-  Camera camera = look_at(target + distance * towards_eye, target, up);
+  Camera camera = look_at(box.center() + towards_eye, box.center(), up);
+
+  // The least distance, or half height, at which every corner of the box is in view.
+  const double slope = std::tan(default_fov / 2) / margin;
+  double distance = 0.0;
+  double half_height = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 offset = glm::dvec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                                         (corner & 4) != 0 ? 1 : -1) *
+                              box.half_size();
+    const double across = std::max(std::abs(glm::dot(offset, camera.up)),
+                                   std::abs(glm::dot(offset, camera.right)) / aspect);
+    distance = std::max(distance, glm::dot(offset, towards_eye) + across / slope);
+    half_height = std::max(half_height, margin * across);
+  }
+  const bool point = !(distance > 0.0);  // all bounds are one point
+  camera.eye = box.center() + (point ? 1.0 : distance) * towards_eye;
   camera.orthographic = orthographic;
-  camera.half_height = orthographic ? margin / narrow : std::tan(half_fov);
+  if (orthographic) {
+    camera.half_height = point ? 1.0 : half_height;
+  }
   return camera;
 }
 

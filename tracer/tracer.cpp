@@ -118,8 +118,8 @@ class Shader {
   }
 
   void spawn(const Media& media, Shading& out) {
-    const bool transmits = material_.blend ? material_.alpha < 1.0f || !untextured()
-                                           : material_.transmission != black;
+    const bool transmits =
+        material_.blend ? material_.alpha < 1.0f || !untextured() : material_.transmission != black;
     out.k_s = material_.reflection;
     out.reflection_weight = glm::compMax(material_.reflection);
     bool total = false;

@@ -160,7 +160,7 @@ TEST_CASE("an output that cannot be written is one line and exit code 1", "[app]
 TEST_CASE("an interrupt ends a render with one line and no file", "[app][bad]") {
   const TemporaryFolder folder;
   const Outcome outcome =
-      shell(fmt::format("timeout --preserve-status --signal INT 0.5 '{}' render {} -o '{}' --size "
+      shell(fmt::format("timeout --preserve-status --signal INT 4 '{}' render {} -o '{}' --size "
                         "8000x8000",
                         RAYCAT_PROGRAM, scene("fig9"), folder / "out.png"));
   CHECK(outcome.code == 1);
