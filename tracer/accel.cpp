@@ -374,6 +374,9 @@ std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch) const
   }
   if (found.hit.geomID < scene_.meshes.size()) {
     std::optional<Hit> hit(index_->mesh_hit(ray, found));
+    if (!std::isfinite(hit->t)) {  // a triangle seen edge-on
+      hit->t = query.start + static_cast<double>(found.ray.tfar);
+    }
     if (hit->t < query.t_end) {
       return hit;
     }

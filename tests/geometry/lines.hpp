@@ -57,7 +57,7 @@ class Dice {
 inline void require_in_turn(const Ray& ray, const Crossings& crossings, bool inside) {
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     RC_ASSERT(std::isfinite(crossings[i].t));
-    RC_ASSERT(i == 0 || crossings[i - 1].t < crossings[i].t);
+    RC_ASSERT((i == 0 || crossings[i - 1].t < crossings[i].t));
     RC_ASSERT(crossings[i].entering != inside);
     inside = !inside;
     const double along = glm::dot(crossings[i].normal, ray.direction);

@@ -160,7 +160,7 @@ TEST_CASE("lines through edges, corners and faces still enter and leave in turn"
         Crossings out;
         const bool inside = cross(shape, ray, out);
         require_in_turn(ray, out, inside);
-        RC_ASSERT(std::holds_alternative<HalfSpace>(shape) || out.size() % 2 == 0);
+        RC_ASSERT((std::holds_alternative<HalfSpace>(shape) || out.size() % 2 == 0));
         for (const Crossing& crossing : out) {
           RC_ASSERT(crossing.face < face_count(shape));
         }
@@ -304,7 +304,7 @@ TEST_CASE("a normal on the wrong side of a grazing line is turned to it", "[geom
       RC_ASSERT(glm::dot(in, direction) <= 0.0);
       RC_ASSERT(glm::distance(in, across) < 1e-14 + off);
       RC_ASSERT(glm::dot(facing(-normal, direction, false), direction) >= 0.0);
-      RC_ASSERT(facing(normal, -direction, true) == normal || glm::dot(normal, direction) < 0.0);
+      RC_ASSERT((facing(normal, -direction, true) == normal || glm::dot(normal, direction) < 0.0));
     }
   }));
 }

@@ -1,0 +1,67 @@
+#include "io/image_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <OpenImageIO/imageio.h>
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+namespace raycat {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path temporary(const std::string& name) {
+  return fs::temp_directory_path() / (std::to_string(::getpid()) + name);
+}
+
+Image two_pixels() {
+  Image image(2, 1);
+  image.pixels = {{0.0f, 0.5f, 1.0f}, {-1.0f, 0.2140411f, 7.5f}};
+  return image;
+}
+
+TEST_CASE("eight bits hold sRGB, and what they cannot show is cut off", "[io][image]") {
+  const fs::path path = temporary(GENERATE("a.png", "a.ppm"));
+  write_image(path, two_pixels(), {.command = "raycat render", .scene = "s.gltf"});
+  const auto input = OIIO::ImageInput::open(path.string());
+  REQUIRE(input);
+  std::vector<std::uint8_t> bytes(6);
+  REQUIRE(input->read_image(OIIO::TypeDesc::UINT8, bytes.data()));
+  // Linear 0.5 is 188 in sRGB, and 0.214 is 127.5.
+  CHECK(bytes == std::vector<std::uint8_t>{0, 188, 255, 0, 128, 255});
+  fs::remove(path);
+}
+
+TEST_CASE("EXR holds linear light as it is", "[io][image]") {
+  const fs::path path = temporary("a.exr");
+  write_image(path, two_pixels(), {.command = "raycat render x", .scene = "s.gltf"});
+  const auto input = OIIO::ImageInput::open(path.string());
+  REQUIRE(input);
+  std::vector<float> values(6);
+  REQUIRE(input->read_image(OIIO::TypeDesc::FLOAT, values.data()));
+  CHECK(values == std::vector<float>{0.0f, 0.5f, 1.0f, -1.0f, 0.2140411f, 7.5f});
+  CHECK(input->spec().get_string_attribute("Software") == "raycat render x");
+  CHECK(input->spec().get_string_attribute("ImageDescription") == "scene s.gltf");
+  fs::remove(path);
+}
+
+TEST_CASE("a line end in a name does not end a comment", "[io][image]") {
+  const fs::path path = temporary("b.ppm");
+  write_image(path, two_pixels(), {.command = "raycat\n1 1", .scene = "a\nb"});
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  CHECK(text.str().starts_with("P6\n# raycat 1 1\n# scene a b\n2 1\n255\n"));
+  fs::remove(path);
+}
+
+TEST_CASE("an image of no known kind is refused", "[io][image]") {
+  CHECK_THROWS_WITH(require_image_path("a.gif"), "a.gif: images end in .png, .exr or .ppm");
+  CHECK_THROWS_AS(require_image_path("png"), std::invalid_argument);
+  CHECK_NOTHROW(require_image_path("A.PNG"));
+}
+
+}  // namespace
+}  // namespace raycat
