@@ -45,9 +45,9 @@ std::string text_of(const nlohmann::ordered_json& value) {
     return text.empty() ? "none" : text;
   }
   if (value.is_object()) {
-    return fmt::format("{} to {}", value["min"].dump(), value["max"].dump());
+    return fmt::format("{} to {}", dump(value["min"]), dump(value["max"]));
   }
-  return value.is_null() ? "none" : value.dump();
+  return value.is_null() ? "none" : dump(value);
 }
 
 void info(const CommonOptions& options) {
@@ -60,7 +60,7 @@ void info(const CommonOptions& options) {
   }
   const nlohmann::ordered_json all = summary(file);
   if (options.json) {
-    print(all.dump());
+    print(dump(all));
     return;
   }
   for (const auto& [key, value] : all.items()) {

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <exception>
 #include <new>
+#include <string>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +11,17 @@
 #include "app/interrupt.hpp"
 
 namespace raycat::app {
+
+CLI::Validator number_in(double low, double high) {
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        double value = 0.0;
+        const bool in = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return in ? std::string()
+                  : fmt::format("'{}' is not a number from {} to {}", text, low, high);
+      },
+      fmt::format("{} to {}", low, high));
+}
 
 void add_common(CLI::App& command, CommonOptions& options) {
   options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -27,21 +40,39 @@ void add_common(CLI::App& command, CommonOptions& options) {
           },
           "Mesh triangles meeting at a smaller angle are one face; 30 by default")
       ->type_name("DEGREES")
-      ->check(CLI::Range(0.0, 180.0));
+      ->check(number_in(0.0, 180.0));
   command
       .add_option("--exposure", options.load.exposure,
                   "glTF's own lights count 2^EV times; 0 by default")
       ->type_name("EV")
-      ->check(CLI::Range(-64.0, 64.0));
+      ->check(number_in(-64.0, 64.0));
 }
 
 SceneFile load(const CommonOptions& options) { return load_scene(options.scene, options.load); }
 
 namespace {
 
-int fail(int code, std::string_view message) {
+// One line, whatever names the message quotes.
+int fail(int code, std::string message) {
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return c < 0x20; }, ' ');
   fmt::print(stderr, "raycat: {}\n", message);
   return code;
+}
+
+// The parser would only say that a subcommand is missing.
+void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') {
+    return;
+  }
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) {
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw UsageError(fmt::format("'{}' is not one of {}; see raycat --help", argv[1], names));
 }
 
 int run(int argc, char** argv) {
@@ -51,6 +82,7 @@ int run(int argc, char** argv) {
   add_render(app);
   add_info(app);
   add_probe(app);
+  require_known_subcommand(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

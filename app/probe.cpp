@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -139,11 +142,10 @@ void probe_pixel(const ProbeOptions& options, SceneFile& file) {
                      {"lights", light_names(scene, node.lights)},
                      {"weight", node.weight}});
   }
-  print(Json{{"pixel", {pixel.x, pixel.y}},
-             {"nodes", nodes},
-             {"categories", {{"heap", words}}},
-             {"colour", {colour.r, colour.g, colour.b}}}
-            .dump());
+  print(dump(Json{{"pixel", {pixel.x, pixel.y}},
+                  {"nodes", nodes},
+                  {"categories", {{"heap", words}}},
+                  {"colour", {colour.r, colour.g, colour.b}}}));
 }
 
 // --- Rays: all crossings along each.
@@ -175,13 +177,14 @@ std::optional<Ray> parse_ray(const std::string& line) {
 }
 
 Json to_json(const SurfaceTable& surfaces, const SceneCrossing& crossing) {
+  const glm::dvec3 normal = crossing.normal + 0.0;  // no -0
   return {{"t", crossing.t},
           {"object", surfaces.name(surfaces.object(crossing.surface))},
           {"primitive", surfaces.name(surfaces.primitive(crossing.surface))},
           {"face", surfaces.face_in_primitive(crossing.surface)},
           {"id", static_cast<std::uint32_t>(crossing.surface)},
           {"entering", crossing.entering},
-          {"normal", {crossing.normal.x, crossing.normal.y, crossing.normal.z}}};
+          {"normal", {normal.x, normal.y, normal.z}}};
 }
 
 void probe_rays(const ProbeOptions& options, const SceneFile& file, std::istream& in) {
@@ -206,7 +209,7 @@ void probe_rays(const ProbeOptions& options, const SceneFile& file, std::istream
       for (const SceneCrossing& crossing : crossings) {
         list.push_back(to_json(file.scene.surfaces, crossing));
       }
-      print(Json{{"crossings", list}}.dump());
+      print(dump(Json{{"crossings", list}}));
       continue;
     }
     print(fmt::format("ray {}: {} crossings", number, crossings.size()));
@@ -233,8 +236,8 @@ void probe(const ProbeOptions& options) {
     probe_rays(options, file, std::cin);
   } else {
     std::ifstream in(options.rays);
-    if (!in) {
-      throw UsageError(fmt::format("{}: cannot be opened", options.rays));
+    if (!in || std::filesystem::is_directory(options.rays)) {
+      throw UsageError(fmt::format("{}: cannot be read: expected a file of rays", options.rays));
     }
     probe_rays(options, file, in);
   }
@@ -259,7 +262,7 @@ void add_probe(CLI::App& app) {
   command
       ->add_option("--rays", options->rays,
                    "List the crossings of each ray of a file, or of stdin with -: lines ox oy oz "
-                   "dx dy dz; t counts in units of the direction")
+                   "dx dy dz; t counts from 0 on in units of the direction")
       ->type_name("FILE");
   command->callback([options] { probe(*options); });
 }

@@ -1,6 +1,11 @@
 #include "categories/render.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -35,19 +40,33 @@ struct RenderOptions {
   std::string stats;
 };
 
+// As a shell takes it.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+    return word;
+  }
+  std::string text = "'";
+  for (const char c : word) {
+    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return text + "'";
+}
+
 // The command that makes the same picture: what shapes it, and nothing of where it goes or how
 // many threads make it, so that the files do not depend on these.
 std::string command_of(const RenderOptions& options, const CLI::App& command) {
   static const std::vector<std::string> left_out{"SCENE",      "--threads", "--quiet",   "--json",
                                                  "--out",      "--edges",   "--overlay", "--lines",
                                                  "--segments", "--stats"};
-  std::string text = "raycat render " + options.common.scene;
+  std::string text = "raycat render " + quoted(options.common.scene);
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->count() > 0 && std::ranges::find(left_out, name) == left_out.end()) {
       text += " " + name;
       for (const std::string& value : option->results()) {
-        text += option->get_expected_max() > 0 ? " " + value : "";
+        text += option->get_expected_max() > 0 ? " " + quoted(value) : "";
       }
     }
   }
@@ -101,27 +120,54 @@ nlohmann::ordered_json stats_of(const RenderOptions& options, const SceneFile& f
   return stats;
 }
 
-void require_paths(const RenderOptions& options) {
-  bool any = !options.stats.empty() || options.common.json;
+// Every file that the options name, as given.
+std::vector<std::string> image_outputs(const RenderOptions& options) {
+  std::vector<std::string> paths;
   for (const std::string* path :
        {&options.out, &options.edges, &options.overlay, &options.lines, &options.segments}) {
     if (!path->empty()) {
-      require_image_path(*path);
-      any = true;
+      paths.push_back(*path);
     }
   }
-  if (!any) {
+  return paths;
+}
+
+// Finds out before the work what would go wrong after it: two outputs in one file, an output in
+// place of the scene, and files that cannot be written.
+void require_outputs(const RenderOptions& options) {
+  std::vector<std::string> paths = image_outputs(options);
+  if (paths.empty() && options.stats.empty() && !options.common.json) {
     throw UsageError("render: nothing to write: give -o OUT.png or another output");
   }
-  if (options.method == Method::none && !(options.edges.empty() && options.overlay.empty() &&
-                                          options.lines.empty() && options.segments.empty())) {
+  if (options.method == Method::none && !paths.empty() && paths != std::vector{options.out}) {
     throw UsageError("--method none makes no edges, overlay, lines or segments");
+  }
+  for (const std::string& path : paths) {
+    require_image_path(path);
+  }
+  if (!options.stats.empty()) {
+    paths.push_back(options.stats);
+  }
+  std::set<std::filesystem::path> taken;
+  std::error_code ignored;
+  const auto place = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(path, ignored);
+  };
+  for (const std::string& path : paths) {
+    const bool device = std::filesystem::is_character_file(path, ignored);
+    if (place(path) == place(options.common.scene)) {
+      throw UsageError(fmt::format("{}: the output would overwrite the scene", path));
+    }
+    if (!device && !taken.insert(place(path)).second) {
+      throw UsageError(fmt::format("{}: two outputs would go to this file", path));
+    }
+    require_writable(path);
   }
 }
 
 void render(const RenderOptions& options, const CLI::App& command) {
   const ImageSize size = parse_size(options.view.size);
-  require_paths(options);
+  require_outputs(options);
   Stopwatch watch;
   Seconds seconds;
   SceneFile file = load(options.common);
@@ -175,10 +221,10 @@ void render(const RenderOptions& options, const CLI::App& command) {
   const nlohmann::ordered_json stats = stats_of(
       options, file, size, categorized ? &*categorized : nullptr, edges.count(), rays, seconds);
   if (!options.stats.empty()) {
-    write_file(options.stats, stats.dump(2) + "\n");
+    write_file(options.stats, dump(stats, 2) + "\n");
   }
   if (options.common.json) {
-    print(stats.dump());
+    print(dump(stats));
   }
 }
 
@@ -198,30 +244,30 @@ void add_render(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, most_levels))
       ->capture_default_str();
-  command->add_option("--method", options->method, "Category encoding: heap or none")
-      ->transform(CLI::Transformer(
-          std::map<std::string, Method>{{"heap", Method::heap}, {"none", Method::none}}));
-  command
-      ->add_option("--ids", options->detail.ids,
-                   "What counts as a surface of its own: object, primitive or face (default)")
-      ->transform(
-          CLI::Transformer(std::map<std::string, Granularity>{{"object", Granularity::object},
-                                                              {"primitive", Granularity::primitive},
-                                                              {"face", Granularity::face}}));
+  add_choice<Method>(*command, "--method", options->method,
+                     {{"heap", Method::heap}, {"none", Method::none}},
+                     "Category encoding: heap (default) or none")
+      ->type_name("METHOD");
+  add_choice<Granularity>(
+      *command, "--ids", options->detail.ids,
+      {{"object", Granularity::object},
+       {"primitive", Granularity::primitive},
+       {"face", Granularity::face}},
+      "What counts as a surface of its own: object, primitive or face (default)")
+      ->type_name("IDS");
   command
       ->add_option("--category-levels", options->detail.levels,
                    "Levels of the ray tree that categories keep; all by default")
       ->type_name("N")
       ->check(CLI::Range(1, most_levels));
-  command
-      ->add_option("--lights", options->detail.lights,
+  add_choice<bool>(*command, "--lights", options->detail.lights, {{"on", true}, {"off", false}},
                    "Do categories tell which lights are visible: on (default) or off")
-      ->transform(CLI::Transformer(std::map<std::string, bool>{{"on", true}, {"off", false}}));
+      ->type_name("on|off");
   command
       ->add_option("--min-weight", options->detail.min_weight,
                    "Categories drop nodes that count for less than this in the pixel")
       ->type_name("W")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0));
   command->add_option("--edges", options->edges, "Edge map, white on black")->type_name("FILE");
   command->add_option("--overlay", options->overlay, "The picture with its edges in black")
       ->type_name("FILE");

@@ -19,6 +19,10 @@ void print(const std::string& text) {
   }
 }
 
+std::string dump(const nlohmann::ordered_json& value, int indent) {
+  return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
     fmt::print(stderr, "raycat: warning: {}\n", warning);

@@ -5,17 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "io/excerpt.hpp"
+#include "io/gltf.hpp"
 #include "io/gltf_scene.hpp"
+#include "io/gltf_uri.hpp"
+#include "io/input_file.hpp"
 
 namespace raycat {
 namespace {
 
 // Each file that places another is read while the first is, so this bounds the stack.
 constexpr std::size_t max_nesting = 16;
-
-bool is_gltf(const std::filesystem::path& file) {
-  return file.extension() == ".gltf" || file.extension() == ".glb";
-}
 
 }  // namespace
 
@@ -44,12 +44,15 @@ std::shared_ptr<const SceneFile> GltfAssets::load(const GltfDocument& document, 
   if (loading_.size() == max_nesting) {
     fail(fmt::format("is nested more than {} files deep", max_nesting));
   }
-  if (asset.node && !is_gltf(file)) {
+  require_regular_file(file);
+  // By content too: a GLB of another name could else place itself unseen.
+  const bool gltf = is_gltf(file);
+  if (asset.node && !gltf) {
     fail("has no named nodes; only .gltf and .glb have");
   }
   loading_.push_back(key);
-  loaded = std::make_shared<const SceneFile>(
-      is_gltf(file) ? read_gltf_scene(file, asset.node, *this) : load_scene(file, options_));
+  loaded = std::make_shared<const SceneFile>(gltf ? read_gltf_scene(file, asset.node, *this)
+                                                  : load_scene(file, options_));
   loading_.pop_back();
   return loaded;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "io/gltf_uri.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -127,7 +128,7 @@ void open_glb(const std::filesystem::path& file, GltfContainer& container) {
 GltfContainer open_container(const std::filesystem::path& file) {
   GltfContainer container;
   try {
-    container.bytes = std::make_shared<const Bytes>(read_bytes(file));
+    container.bytes = std::make_shared<const Bytes>(read_bytes(file, max_gltf_bytes));
   } catch (const std::runtime_error& error) {
     throw LoadError(file, "", error.what());
   }

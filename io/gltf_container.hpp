@@ -8,11 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/gltf_files.hpp"
+#include "io/input_file.hpp"
 
 namespace raycat {
 
 /// A .gltf or .glb file taken apart, its JSON not yet looked at.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann checks what it moves, which never throws.
 struct GltfContainer {
   nlohmann::json json;                   ///< nested at most 256 deep
   std::shared_ptr<const Bytes> bytes;    ///< the file, which `binary` is part of

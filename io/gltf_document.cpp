@@ -1,6 +1,7 @@
 #include "io/gltf_document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -8,9 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "io/excerpt.hpp"
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_container.hpp"
 #include "io/gltf_schema.hpp"
+#include "io/gltf_uri.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -19,12 +22,11 @@ namespace {
 using nlohmann::json;
 
 // Without what these say, triangles would be read wrongly or not at all.
-constexpr std::string_view read_extensions[] = {
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_volume",       "KHR_mesh_quantization",
-    "KHR_texture_transform",      "KHR_materials_pbrSpecularGlossiness"};
+constexpr auto read_extensions = std::to_array<std::string_view>(
+    {"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",
+     "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
+     "KHR_materials_volume", "KHR_mesh_quantization", "KHR_texture_transform",
+     "KHR_materials_pbrSpecularGlossiness"});
 
 bool contains(const auto& range, std::string_view name) {
   return std::ranges::find(range, name) != std::end(range);
@@ -73,9 +75,7 @@ void load_buffers(GltfDocument& document, const GltfContainer& container) {
       auto& file = files[is_data_uri(text) ? fmt::format("data:{}", i) : text];
       try {
         if (!file) {
-          file = std::make_shared<const Bytes>(
-              is_data_uri(text) ? decode_data_uri(text)
-                                : read_bytes(resolve_uri(document.file.parent_path(), text)));
+          file = std::make_shared<const Bytes>(read_uri(document.file.parent_path(), text));
           document.storage.push_back(file);
         }
       } catch (const std::runtime_error& error) {
@@ -195,9 +195,7 @@ std::span<const std::uint8_t> GltfDocument::view_bytes(std::size_t view) const {
 Bytes GltfDocument::image_bytes(std::size_t image) const {
   const auto& of = json["images"][image];
   if (const auto uri = of.find("uri"); uri != of.end()) {
-    const auto& text = uri->get_ref<const std::string&>();
-    return is_data_uri(text) ? decode_data_uri(text)
-                             : read_bytes(resolve_uri(file.parent_path(), text));
+    return read_uri(file.parent_path(), uri->get_ref<const std::string&>());
   }
   if (const auto view = of.find("bufferView"); view != of.end()) {
     const auto bytes = view_bytes(view->get<std::size_t>());

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
-#include "io/gltf_files.hpp"
+#include "io/input_file.hpp"
 #include "io/json_fields.hpp"
 
 namespace raycat {

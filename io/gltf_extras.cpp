@@ -6,6 +6,7 @@
 
 #include "geometry/mesh.hpp"
 #include "geometry/mesh_faces.hpp"
+#include "io/excerpt.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -153,6 +154,11 @@ NodeExtras node_extras(const GltfDocument& document, std::size_t node) {
   if (int{extras.csg.has_value()} + int{extras.shape.has_value()} + int{extras.asset.has_value()} >
       1) {
     fields.fail("a node has only one of csg, shape and asset");
+  }
+  // Extras with a key of ours are ours, and what else is in them is a mistake. The rest belong to
+  // other tools.
+  if (extras.csg || extras.shape || extras.asset || extras.look_at) {
+    fields.refuse_others();
   }
   return extras;
 }

@@ -6,66 +6,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 
+#include "io/excerpt.hpp"
+#include "io/gltf_pbr.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
 namespace {
-
-constexpr double mirror_roughness = 0.3;  // rougher surfaces have no mirror image
-
-double greatest(const glm::dvec3& colour) { return std::max({colour.x, colour.y, colour.z}); }
-
-// glTF 2.0 and its extensions, as far as the paper's constants can show them.
-struct Pbr {
-  glm::dvec3 base{1.0};
-  double alpha = 1.0;
-  double metallic = 1.0;
-  double roughness = 1.0;
-  glm::dvec3 emission{0.0};
-  double ior = 1.5;
-  double specular = 1.0;
-  glm::dvec3 specular_colour{1.0};
-  double transmission = 0.0;
-  bool thin = true;
-  bool unlit = false;
-};
-
-// The table of DESIGN 9; the names of constants are the paper's.
-Material whitted(const Pbr& pbr) {
-  const double r = pbr.roughness;
-  const double m = pbr.metallic;
-  const double index_ratio = (pbr.ior - 1.0) / (pbr.ior + 1.0);
-  const glm::dvec3 dielectric =
-      glm::min(index_ratio * index_ratio * pbr.specular_colour, glm::dvec3(1.0)) * pbr.specular;
-  const glm::dvec3 f0 = glm::mix(dielectric, pbr.base, m);
-  const double sharpness = r <= mirror_roughness ? 1.0 - r / mirror_roughness : 0.0;
-  const double n = std::clamp(2.0 / std::pow(std::max(r, 1e-3), 4.0) - 2.0, 1.0, 1024.0);
-
-  Material material;
-  material.emission = glm::vec3(pbr.emission);
-  if (pbr.unlit) {
-    material.emission = glm::vec3(pbr.base);
-    material.textured_emission = true;
-    return material;
-  }
-  material.diffuse =
-      glm::vec3(pbr.base * (1.0 - m) * (1.0 - pbr.transmission) * (1.0 - greatest(dielectric)));
-  material.ambient = material.diffuse;
-  material.specular = glm::vec3(glm::min(f0 * (n + 8.0) / 8.0, glm::dvec3(1.0)));
-  material.shininess = static_cast<float>(n);
-  material.reflection = glm::vec3(f0 * sharpness);
-  material.transmission =
-      glm::vec3(pbr.transmission * (1.0 - m) * (glm::dvec3(1.0) - f0) * pbr.base);
-  material.ior = static_cast<float>(pbr.ior);
-  material.thin = pbr.thin;
-  if (pbr.transmission > 0.0 && r <= mirror_roughness) {
-    material.fresnel = true;
-    material.grazing_reflection = glm::vec3(static_cast<float>(sharpness));
-  }
-  return material;
-}
 
 // Each factor must lie where the table's formulas mean something.
 double in_range(const JsonFields& fields, const char* name, double value, double least,
@@ -213,8 +160,7 @@ void read_alpha(const tinygltf::Material& from, const JsonFields& fields, const 
     to.blend = true;
     to.alpha = static_cast<float>(pbr.alpha);
     to.thin = true;
-    // The factor alone would spawn no ray where only the texture or the vertices have holes.
-    to.transmission = glm::vec3(to.alpha < 1.0f ? 1.0f - to.alpha : 1.0f);
+    to.transmission = glm::vec3(1.0f - to.alpha);
     to.fresnel = false;
   } else if (from.alphaMode == "MASK") {
     to.alpha = static_cast<float>(pbr.alpha);
@@ -224,8 +170,6 @@ void read_alpha(const tinygltf::Material& from, const JsonFields& fields, const 
                             excerpt(from.alphaMode)));
   }
 }
-
-}  // namespace
 
 GltfMaterial read_material(GltfDocument& document, std::size_t number) {
   const tinygltf::Material& from = document.model.materials[number];
@@ -258,9 +202,42 @@ GltfMaterial read_material(GltfDocument& document, std::size_t number) {
       Material outright;
       outright.name = from.name;
       to.material = whitted_extras(*std::move(constants), outright);
+      fields.refuse_others();
     }
   }
   return to;
+}
+
+// Which materials are on a primitive whose vertices have colours of their own?
+std::vector<bool> with_vertex_colours(const tinygltf::Model& model) {
+  std::vector<bool> coloured(model.materials.size());
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      if (primitive.material >= 0 && primitive.attributes.contains("COLOR_0")) {
+        coloured[static_cast<std::size_t>(primitive.material)] = true;
+      }
+    }
+  }
+  return coloured;
+}
+
+}  // namespace
+
+std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures) {
+  const std::vector<bool> coloured = with_vertex_colours(document.model);
+  std::vector<GltfMaterial> materials;
+  for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+    materials.push_back(read_material(document, i));
+  }
+  textures = read_textures(document, materials);
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    Material& material = materials[i].material;
+    // The factor alone would weigh too little where the texture or the vertices have holes.
+    if (material.blend && (material.base_texture || coloured[i])) {
+      material.transmission = glm::vec3(1.0f);
+    }
+  }
+  return materials;
 }
 
 Material default_material() {

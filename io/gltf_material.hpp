@@ -20,9 +20,10 @@ struct GltfMaterial {
   glm::dmat3x2 texture_transform{1.0};  ///< KHR_texture_transform: onto (u, v, 1)
 };
 
-/// Throws `LoadError` for extensions and extras of the wrong type, and unknown keys in `whitted`.
-/// glTF's factors are brought into their ranges, with a warning.
-GltfMaterial read_material(GltfDocument& document, std::size_t material);
+/// The materials of a document, their images decoded into `textures`. Throws `LoadError` for
+/// extensions and extras of the wrong type, and unknown keys in `whitted`. glTF's factors are
+/// brought into their ranges, with a warning.
+std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures);
 
 /// What glTF says of primitives without a material, and of shapes: rough and white.
 Material default_material();

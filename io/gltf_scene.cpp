@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "io/excerpt.hpp"
 #include "io/gltf_extras.hpp"
 #include "io/gltf_material.hpp"
 #include "io/gltf_mesh.hpp"
@@ -29,8 +30,12 @@ class SceneReader {
       : document_(open_gltf(file)),
         assets_(assets),
         assembly_(file),
-        materials_(read_materials(document_, assembly_.out.scene)),
-        meshes_(document_, materials_, assets.options().faces) {}
+        materials_(read_materials(document_, assembly_.out.scene.textures)),
+        meshes_(document_, materials_, assets.options().faces) {
+    for (const GltfMaterial& material : materials_) {
+      assembly_.out.scene.materials.push_back(material.material);
+    }
+  }
 
   SceneFile read(const std::optional<std::string>& node) {
     auto below = node ? nodes_below(document_, *node) : scene_nodes(document_);
@@ -43,7 +48,7 @@ class SceneReader {
     read_objects();
     out.scene.cameras = read_cameras(document_, nodes_);
     out.scene.lights = read_lights(document_, nodes_, assets_.options().exposure);
-    read_surroundings();
+    read_surroundings(document_, out.scene);
     for (const auto& name : document_.json.value("extensionsUsed", nlohmann::json::array())) {
       out.extensions.push_back(name);
     }
@@ -61,18 +66,6 @@ class SceneReader {
     std::size_t first_leaf = 0;
     std::size_t cut_leaf = 0;  // the first leaf that is subtracted
   };
-
-  static std::vector<GltfMaterial> read_materials(GltfDocument& document, Scene& scene) {
-    std::vector<GltfMaterial> materials;
-    for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
-      materials.push_back(read_material(document, i));
-    }
-    scene.textures = read_textures(document, materials);
-    for (const GltfMaterial& material : materials) {
-      scene.materials.push_back(material.material);
-    }
-    return materials;
-  }
 
   void read_objects() {
     in_tree_.assign(document_.model.nodes.size(), false);
@@ -276,28 +269,6 @@ class SceneReader {
                                                    TreeAssembly& tree) {
     const auto part = assets_.load(document_, node, asset);
     return place_operands(part->scene, placement(node, *part), assembly_, tree);
-  }
-
-  void read_surroundings() {
-    const auto scenes = document_.json.find("scenes");
-    if (scenes == document_.json.end() || scenes->empty()) {
-      return;
-    }
-    const auto number = document_.json.value("scene", std::size_t{0});
-    const auto extras = scenes->at(number).find("extras");
-    if (extras == scenes->at(number).end() || !extras->is_object()) {
-      return;
-    }
-    JsonFields fields(document_.file, fmt::format("scenes[{}]", number), "extras", *extras);
-    const auto read = [&](const char* key, glm::vec3& colour) {
-      const auto value = fields.vector(key);
-      if (value && !(value->x >= 0.0 && value->y >= 0.0 && value->z >= 0.0)) {
-        fields.fail(fmt::format("{} must not be negative", key));
-      }
-      colour = value ? glm::vec3(*value) : colour;
-    };
-    read("background", assembly_.out.scene.background);
-    read("ambient_light", assembly_.out.scene.ambient_light);
   }
 
   // Tools that do not know our extras may show a mesh in place of what they say.

@@ -1,13 +1,14 @@
 #include "io/gltf_schema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "io/gltf_files.hpp"
+#include "io/excerpt.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -28,7 +29,7 @@ struct Rule {
 constexpr bool required = true;
 
 // A container comes before what it contains.
-constexpr Rule rules[] = {
+constexpr auto rules = std::to_array<Rule>({
     {"asset", Kind::object, "", 0, required},
     {"asset.version", Kind::string, "", 0, required},
     {"asset.minVersion", Kind::string},
@@ -160,7 +161,7 @@ constexpr Rule rules[] = {
     {"cameras.[].orthographic.zfar", Kind::number, "", 0, required},
     {"cameras.[].orthographic.znear", Kind::number, "", 0, required},
     {"skins", Kind::array},
-};
+});
 
 std::vector<std::string_view> steps(std::string_view path) {
   std::vector<std::string_view> steps;

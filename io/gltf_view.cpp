@@ -6,10 +6,12 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "io/excerpt.hpp"
 #include "io/gltf_extras.hpp"
 #include "io/scene_file.hpp"
 
@@ -44,15 +46,15 @@ Camera pose(const glm::dmat4& world) {
   return look_at(eye, eye - back / glm::length(back), glm::dvec3(world[1]));
 }
 
-void require_light(const JsonFields& fields, bool met, const char* what) {
+void require(const JsonFields& fields, bool met, const std::string& what) {
   if (!met) {
     fields.fail(what);
   }
 }
 
 glm::dvec3 colour(const JsonFields& fields, const char* name, const glm::dvec3& value) {
-  require_light(fields, value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0,
-                fmt::format("{} must not be negative", name).c_str());
+  require(fields, value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0,
+          fmt::format("{} must not be negative", name));
   return value;
 }
 
@@ -60,10 +62,10 @@ void read_cone(JsonFields& fields, Light& light) {
   auto spot = fields.object("spot");
   light.outer_cone = spot ? spot->number("outerConeAngle").value_or(pi / 4.0) : pi / 4.0;
   light.inner_cone = spot ? spot->number("innerConeAngle").value_or(0.0) : 0.0;
-  require_light(fields,
-                light.inner_cone >= 0.0 && light.inner_cone <= light.outer_cone &&
-                    light.outer_cone > 0.0 && light.outer_cone <= pi / 2.0,
-                "the cone angles must be 0 <= inner <= outer <= pi/2");
+  require(fields,
+          light.inner_cone >= 0.0 && light.inner_cone <= light.outer_cone &&
+              light.outer_cone > 0.0 && light.outer_cone <= pi / 2.0,
+          "the cone angles must be 0 <= inner <= outer <= pi/2");
 }
 
 Light::Kind light_kind(JsonFields& fields) {
@@ -89,7 +91,7 @@ Light read_light(const GltfDocument& document, std::size_t number, double exposu
     read_cone(fields, light);
   }
   if (const auto range = fields.number("range")) {
-    require_light(fields, *range > 0.0, "range must be above 0");
+    require(fields, *range > 0.0, "range must be above 0");
     light.range = *range;
   }
   if (const auto extras = json.find("extras"); extras != json.end() && extras->is_object()) {
@@ -99,11 +101,12 @@ Light read_light(const GltfDocument& document, std::size_t number, double exposu
       light.diffuse = colour(*whitted, "diffuse", whitted->vector("diffuse").value_or(white));
       light.specular = colour(*whitted, "specular", whitted->vector("specular").value_or(white));
       whitted->refuse_others();
+      ours.refuse_others();
       return light;
     }
   }
   const double intensity = fields.number("intensity").value_or(1.0);
-  require_light(fields, intensity >= 0.0, "intensity must not be negative");
+  require(fields, intensity >= 0.0, "intensity must not be negative");
   const glm::dvec3 tint = colour(fields, "color", fields.vector("color").value_or(glm::dvec3(1.0)));
   light.diffuse = glm::vec3(tint * (intensity / pi * std::exp2(exposure)));
   light.specular = light.diffuse;
@@ -170,6 +173,30 @@ std::vector<Light> read_lights(const GltfDocument& document, const GltfNodes& no
                                 lights.size()));
   }
   return lights;
+}
+
+void read_surroundings(const GltfDocument& document, Scene& scene) {
+  const auto scenes = document.json.find("scenes");
+  if (scenes == document.json.end() || scenes->empty()) {
+    return;
+  }
+  const auto number = document.json.value("scene", std::size_t{0});
+  const auto extras = scenes->at(number).find("extras");
+  if (extras == scenes->at(number).end() || !extras->is_object()) {
+    return;
+  }
+  JsonFields fields(document.file, fmt::format("scenes[{}]", number), "extras", *extras);
+  bool ours = false;
+  for (const auto& [key, to] : {std::pair("background", &scene.background),
+                                std::pair("ambient_light", &scene.ambient_light)}) {
+    if (const auto value = fields.vector(key)) {
+      *to = glm::vec3(colour(fields, key, *value));
+      ours = true;
+    }
+  }
+  if (ours) {
+    fields.refuse_others();
+  }
 }
 
 }  // namespace raycat

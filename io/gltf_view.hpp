@@ -6,6 +6,7 @@
 #include "io/gltf_nodes.hpp"
 #include "tracer/camera.hpp"
 #include "tracer/light.hpp"
+#include "tracer/scene.hpp"
 
 namespace raycat {
 
@@ -17,5 +18,9 @@ std::vector<Camera> read_cameras(GltfDocument& document, const GltfNodes& nodes)
 /// glTF's, whose intensity counts 2^`exposure` times. Throws `LoadError`, also past 64 lights.
 std::vector<Light> read_lights(const GltfDocument& document, const GltfNodes& nodes,
                                double exposure);
+
+/// Sets the background and ambient light of `scene`, where the extras of the glTF scene give them.
+/// Throws `LoadError`.
+void read_surroundings(const GltfDocument& document, Scene& scene);
 
 }  // namespace raycat

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -10,43 +11,68 @@
 
 namespace raycat {
 
-void require_regular_file(const std::filesystem::path& file) {
+namespace {
+
+std::uintmax_t regular_file_size(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {
-    throw LoadError(file, "", "no such file");
+    throw std::runtime_error("no such file");
   }
   if (error) {
-    throw LoadError(file, "", error.message());
+    throw std::runtime_error(error.message());
   }
   if (std::filesystem::is_directory(status)) {
-    throw LoadError(file, "", "is a directory, not a scene file");
+    throw std::runtime_error("is a directory, not a file");
   }
   if (!std::filesystem::is_regular_file(status)) {
-    throw LoadError(file, "", "is not a regular file");
+    throw std::runtime_error("is not a regular file");
   }
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) {
-    throw LoadError(file, "", error.message());
+    throw std::runtime_error(error.message());
   }
   if (size == 0) {
-    throw LoadError(file, "", "is empty");
+    throw std::runtime_error("is empty");
   }
+  return size;
+}
+
+template <class Buffer>
+Buffer read_whole(const std::filesystem::path& file, std::uintmax_t most_bytes) {
+  const std::uintmax_t size = regular_file_size(file);
+  if (size > most_bytes) {
+    throw std::runtime_error(
+        fmt::format("files hold at most {} bytes, but this has {}", most_bytes, size));
+  }
+  std::ifstream in(file, std::ios::binary);
+  Buffer bytes(size, typename Buffer::value_type{});
+  if (!in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
+    throw std::runtime_error("cannot be read");
+  }
+  return bytes;
+}
+
+}  // namespace
+
+Bytes read_bytes(const std::filesystem::path& file, std::uintmax_t most_bytes) {
+  return read_whole<Bytes>(file, most_bytes);
 }
 
 std::string read_input_file(const std::filesystem::path& file, std::uintmax_t most_bytes) {
-  require_regular_file(file);
-  const std::uintmax_t size = std::filesystem::file_size(file);
-  if (size > most_bytes) {
-    throw LoadError(file, "",
-                    fmt::format("files hold at most {} bytes, but this has {}", most_bytes, size));
+  try {
+    return read_whole<std::string>(file, most_bytes);
+  } catch (const std::runtime_error& error) {
+    throw LoadError(file, "", error.what());
   }
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes(size, '\0');
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    throw LoadError(file, "", "cannot be read");
+}
+
+void require_regular_file(const std::filesystem::path& file) {
+  try {
+    regular_file_size(file);
+  } catch (const std::runtime_error& error) {
+    throw LoadError(file, "", error.what());
   }
-  return bytes;
 }
 
 std::string lower_extension(const std::filesystem::path& file) {

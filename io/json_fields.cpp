@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/gltf_files.hpp"
+#include "io/excerpt.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {

@@ -114,6 +114,19 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   }
 }
 
+void require_writable(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) {
+    fail(path, EISDIR);
+  }
+  const bool device = fs::exists(status) && !fs::is_regular_file(status);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (::access(device ? path.c_str() : folder.c_str(), W_OK) != 0) {
+    fail(path, errno);
+  }
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   write_file(path, std::as_bytes(std::span(text)));
 }

@@ -12,7 +12,11 @@ namespace raycat {
 /// `std::runtime_error` with the path and the system's reason.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// As above, for text.
+/// Throws as `write_file` would, for what can be known before: a folder that is not there or
+/// takes no files, or a place that is itself a folder.
+void require_writable(const std::filesystem::path& path);
+
+/// Writes text.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace raycat

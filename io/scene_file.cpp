@@ -1,9 +1,8 @@
 #include "io/scene_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <string_view>
+
+#include <glm/gtx/component_wise.hpp>
 
 #include "io/gltf.hpp"
 #include "io/input_file.hpp"
@@ -26,25 +25,20 @@ std::string message(const std::filesystem::path& file, const std::string& place,
   return one_line(file.string() + ": " + (place.empty() ? "" : place + ": ") + what);
 }
 
-bool is_binary_gltf(const std::filesystem::path& file) {
-  std::array<char, 4> magic{};
-  std::ifstream in(file, std::ios::binary);
-  in.read(magic.data(), magic.size());
-  return std::string_view(magic.data(), magic.size()) == "glTF";
-}
-
 }  // namespace
 
 LoadError::LoadError(const std::filesystem::path& file, const std::string& place,
                      const std::string& what)
     : std::runtime_error(message(file, place, what)) {}
 
-SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+namespace {
+
+SceneFile read(const std::filesystem::path& file, const LoadOptions& options) {
   require_regular_file(file);
-  const std::string extension = lower_extension(file);
-  if (extension == ".gltf" || extension == ".glb" || is_binary_gltf(file)) {
+  if (is_gltf(file)) {
     return read_gltf(file, options);
   }
+  const std::string extension = lower_extension(file);
   if (extension == ".csg") {
     return read_openscad(file, options);
   }
@@ -54,6 +48,17 @@ SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& optio
   throw LoadError(file, "",
                   "unknown kind of scene file: the name must end in .gltf, .glb, .csg, .obj, "
                   ".ply, .stl or .off");
+}
+
+}  // namespace
+
+SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  SceneFile scene = read(file, options);
+  const Bounds box = bounds(scene.scene);
+  if (!box.empty() && !(glm::compMax(glm::max(glm::abs(box.min), glm::abs(box.max))) < 1e18)) {
+    throw LoadError(file, "", "a scene reaches at most 1e18 units from the origin");
+  }
+  return scene;
 }
 
 }  // namespace raycat

@@ -63,6 +63,19 @@ TEST_CASE("images say what made them", "[app][render]") {
   CHECK(bytes.find("fig1.gltf") != std::string::npos);
 }
 
+TEST_CASE("names that are no UTF-8 or no word do not stand in the way", "[app][render]") {
+  const TemporaryFolder folder;
+  const std::string name = folder / "it's \xff a\nscene.gltf";
+  std::filesystem::copy_file(std::string(RAYCAT_ASSETS) + "/scenes/fig1.gltf", name);
+  const Outcome outcome = raycat(
+      fmt::format("render \"$(printf '%b' '{}')\" --size 16x16 --json -o '{}'",
+                  (folder.path() / "it\\047s \\0377 a\\nscene.gltf").string(), folder / "out.png"));
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(Json::parse(outcome.out)["width"] == 16);
+  CHECK((read_file(folder / "out.png").find("'\\''s ") != std::string::npos));
+}
+
 TEST_CASE("less detail makes fewer categories", "[app][render]") {
   const auto distinct = [](const std::string& options, const std::string& name = "fig8") {
     const Outcome outcome =

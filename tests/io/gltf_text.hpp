@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -29,6 +31,32 @@ inline std::string le32(std::uint32_t value) {
     bytes += static_cast<char>(static_cast<unsigned char>(value >> shift));
   }
   return bytes;
+}
+
+/// Numbers as accessors of component type 5126 hold them.
+inline std::string floats(std::initializer_list<float> numbers) {
+  std::string bytes;
+  for (const float number : numbers) {
+    bytes += le32(std::bit_cast<std::uint32_t>(number));
+  }
+  return bytes;
+}
+
+/// A URI that holds `bytes`, whatever they are.
+inline std::string data_uri(std::string_view bytes) {
+  std::string uri = "data:application/octet-stream,";
+  for (const char byte : bytes) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const auto value = static_cast<unsigned char>(byte);
+    uri += {'%', digits[value / 16], digits[value % 16]};
+  }
+  return uri;
+}
+
+/// A section of one buffer that holds `bytes`.
+inline std::string buffer_of(std::string_view bytes) {
+  return R"("buffers":[{"byteLength":)" + std::to_string(bytes.size()) + R"(,"uri":")" +
+         data_uri(bytes) + R"("}])";
 }
 
 inline std::string glb_chunk(std::string_view type, std::string_view content) {

@@ -20,7 +20,7 @@ TEST_CASE("what is no scene file is refused with one line", "[io]") {
   const std::filesystem::path folder = temporary_folder();
   CHECK_THROWS_WITH(load_scene(folder / "raycat-none.csg"),
                     (folder / "raycat-none.csg").string() + ": no such file");
-  CHECK_THROWS_WITH(load_scene(folder), folder.string() + ": is a directory, not a scene file");
+  CHECK_THROWS_WITH(load_scene(folder), folder.string() + ": is a directory, not a file");
   CHECK_THROWS_WITH(load_scene("/dev/zero"), "/dev/zero: is not a regular file");
   CHECK(load_error("empty.csg", "") == "empty.csg: is empty");
   CHECK(load_error("scene.blend", "BLENDER") ==

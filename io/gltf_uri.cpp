@@ -1,18 +1,17 @@
-#include "io/gltf_files.hpp"
+#include "io/gltf_uri.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "io/excerpt.hpp"
+
 namespace raycat {
 namespace {
-
-constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 32;
 
 int hex_digit(char c) noexcept {
   if (c >= '0' && c <= '9') {
@@ -83,28 +82,6 @@ Bytes decode_base64(std::string_view text) {
 
 }  // namespace
 
-Bytes read_bytes(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) {
-    throw std::runtime_error("no such file");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw std::runtime_error("not a regular file");
-  }
-  const auto size = std::filesystem::file_size(file, error);
-  if (error || size > max_file_bytes) {
-    throw std::runtime_error(fmt::format("files hold at most {} bytes", max_file_bytes));
-  }
-  Bytes bytes(size);
-  std::ifstream in(file, std::ios::binary);
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!in || static_cast<std::uintmax_t>(in.gcount()) != size) {
-    throw std::runtime_error("cannot be read");
-  }
-  return bytes;
-}
-
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri) {
   if (has_scheme(uri)) {
     throw std::runtime_error(
@@ -156,18 +133,9 @@ Bytes decode_data_uri(std::string_view uri) {
   return {decoded.begin(), decoded.end()};
 }
 
-std::string excerpt(std::string_view text) {
-  constexpr std::size_t most = 100;
-  bool cut = text.size() > most;
-  std::size_t end = std::min(text.size(), most);
-  // Never between the bytes of one UTF-8 character.
-  while (cut && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) {
-    --end;
-  }
-  std::string line(text.substr(0, end));
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-  return cut ? line + "..." : line;
+Bytes read_uri(const std::filesystem::path& folder, std::string_view uri) {
+  return is_data_uri(uri) ? decode_data_uri(uri)
+                          : read_bytes(resolve_uri(folder, uri), max_gltf_bytes);
 }
 
 }  // namespace raycat
