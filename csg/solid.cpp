@@ -100,24 +100,24 @@ Solid::Solid(CsgTree tree) : tree_(std::move(tree)) {
 }
 
 bool Solid::inside(const Scratch& scratch) const {
-  return scratch.true_inputs.back() >= gates_.back().threshold;
+  return scratch.true_inputs_.back() >= gates_.back().threshold;
 }
 
 // Changes the side the line is on of one leaf, and of every node above that follows. Returns
 // whether the root did.
 bool Solid::toggle(std::uint32_t leaf, Scratch& scratch) const {
   std::uint32_t node = leaf_node_[leaf];
-  bool value = scratch.true_inputs[node] == 0;
-  scratch.true_inputs[node] = value ? 1 : 0;
+  bool value = scratch.true_inputs_[node] == 0;
+  scratch.true_inputs_[node] = value ? 1 : 0;
   for (;;) {
-    scratch.changed[node] ^= 1;
-    scratch.touched.push_back(node);
+    scratch.changed_[node] ^= 1;
+    scratch.touched_.push_back(node);
     const Gate& gate = gates_[node];
     if (gate.parent == CsgTree::no_parent) {
       return true;
     }
     const std::uint32_t threshold = gates_[gate.parent].threshold;
-    std::uint32_t& inputs = scratch.true_inputs[gate.parent];
+    std::uint32_t& inputs = scratch.true_inputs_[gate.parent];
     const bool before = inputs >= threshold;
     inputs = value != gate.negated ? inputs + 1 : inputs - 1;
     const bool after = inputs >= threshold;
@@ -136,55 +136,55 @@ void Solid::gather(const Ray& ray, const LineClip& clip, Scratch& scratch) const
     if (clip(shape.bounds()).empty()) {
       continue;
     }
-    const auto first = static_cast<std::uint32_t>(scratch.crossings.size());
-    if (shape.cross_local(ray, scratch.crossings)) {
+    const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
+    if (shape.cross_local(ray, scratch.crossings_)) {
       toggle(i, scratch);
     }
-    for (std::uint32_t k = first; k < scratch.crossings.size(); ++k) {
-      scratch.events.push_back({.t = scratch.crossings[k].t, .leaf = i, .crossing = k});
+    for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
+      scratch.events_.push_back({.t = scratch.crossings_[k].t, .leaf = i, .crossing = k});
     }
   }
-  std::ranges::sort(scratch.events, [](const auto& a, const auto& b) {
+  std::ranges::sort(scratch.events_, [](const auto& a, const auto& b) {
     return std::tie(a.t, a.crossing) < std::tie(b.t, b.crossing);
   });
 }
 
 void Solid::report_group(std::size_t begin, std::size_t end, Scratch& scratch) const {
-  for (const std::uint32_t node : scratch.touched) {
-    scratch.changed[node] = 0;
+  for (const std::uint32_t node : scratch.touched_) {
+    scratch.changed_[node] = 0;
   }
-  scratch.touched.clear();
+  scratch.touched_.clear();
   for (std::size_t i = begin; i < end; ++i) {
-    toggle(scratch.events[i].leaf, scratch);
+    toggle(scratch.events_[i].leaf, scratch);
   }
-  if (scratch.changed[gates_.size() - 1] == 0) {
+  if (scratch.changed_[gates_.size() - 1] == 0) {
     return;
   }
   const auto responsible = [&](std::uint32_t leaf) {
     std::uint32_t node = leaf_node_[leaf];
-    while (scratch.changed[node] != 0 && gates_[node].parent != CsgTree::no_parent) {
+    while (scratch.changed_[node] != 0 && gates_[node].parent != CsgTree::no_parent) {
       node = gates_[node].parent;
     }
-    return scratch.changed[node] != 0;
+    return scratch.changed_[node] != 0;
   };
   const auto rank = [&](const Scratch::Event& event) {
-    const std::uint32_t face = scratch.crossings[event.crossing].face;
+    const std::uint32_t face = scratch.crossings_[event.crossing].face;
     return std::tuple(gates_[leaf_node_[event.leaf]].subtracted,
                       static_cast<std::uint32_t>(tree_.leaves()[event.leaf].first_face) + face);
   };
   const Scratch::Event* best = nullptr;
   for (std::size_t i = begin; i < end; ++i) {
-    const Scratch::Event& event = scratch.events[i];
+    const Scratch::Event& event = scratch.events_[i];
     const std::uint32_t node = leaf_node_[event.leaf];
     // A leaf crossed to and fro and to again is met where it goes the way it went on the whole.
-    const bool entered = scratch.true_inputs[node] != 0;
-    if (scratch.crossings[event.crossing].entering == entered && responsible(event.leaf) &&
+    const bool entered = scratch.true_inputs_[node] != 0;
+    if (scratch.crossings_[event.crossing].entering == entered && responsible(event.leaf) &&
         (best == nullptr || rank(event) < rank(*best))) {
       best = &event;
     }
   }
   assert(best != nullptr);
-  const Crossing& crossing = scratch.crossings[best->crossing];
+  const Crossing& crossing = scratch.crossings_[best->crossing];
   scratch.boundaries.push_back({.t = crossing.t,
                                 .leaf = best->leaf,
                                 .face = crossing.face,
@@ -195,10 +195,10 @@ void Solid::report_group(std::size_t begin, std::size_t end, Scratch& scratch) c
 
 bool Solid::cross(const Ray& ray, Scratch& scratch) const {
   scratch.boundaries.clear();
-  scratch.crossings.clear();
+  scratch.crossings_.clear();
   if (gates_.size() == 1) {
-    const bool starts_inside = tree_.leaves().front().shape.cross_local(ray, scratch.crossings);
-    for (const Crossing& crossing : scratch.crossings) {
+    const bool starts_inside = tree_.leaves().front().shape.cross_local(ray, scratch.crossings_);
+    for (const Crossing& crossing : scratch.crossings_) {
       scratch.boundaries.push_back({.t = crossing.t,
                                     .face = crossing.face,
                                     .entering = crossing.entering,
@@ -210,18 +210,18 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
   if (clip(bounds_).empty()) {
     return false;
   }
-  scratch.events.clear();
-  scratch.touched.clear();
-  scratch.true_inputs = true_inputs_;
-  scratch.changed.assign(gates_.size(), 0);
+  scratch.events_.clear();
+  scratch.touched_.clear();
+  scratch.true_inputs_ = true_inputs_;
+  scratch.changed_.assign(gates_.size(), 0);
   gather(ray, clip, scratch);
   const bool starts_inside = inside(scratch);
 
   const double group_length = tolerance_ / glm::length(ray.direction);
-  for (std::size_t begin = 0; begin < scratch.events.size();) {
-    const double last = scratch.events[begin].t + group_length;
+  for (std::size_t begin = 0; begin < scratch.events_.size();) {
+    const double last = scratch.events_[begin].t + group_length;
     std::size_t end = begin + 1;
-    while (end < scratch.events.size() && scratch.events[end].t <= last) {
+    while (end < scratch.events_.size() && scratch.events_[end].t <= last) {
       ++end;
     }
     report_group(begin, end, scratch);

@@ -93,11 +93,11 @@ struct Solid::Scratch {
     std::uint32_t crossing = 0;
   };
 
-  Crossings crossings;
-  std::vector<Event> events;
-  std::vector<std::uint32_t> true_inputs;  // of each node at this point of the line
-  std::vector<std::uint8_t> changed;       // did the node change across the group?
-  std::vector<std::uint32_t> touched;      // nodes whose `changed` has been written
+  Crossings crossings_;
+  std::vector<Event> events_;
+  std::vector<std::uint32_t> true_inputs_;  // of each node at this point of the line
+  std::vector<std::uint8_t> changed_;       // did the node change across the group?
+  std::vector<std::uint32_t> touched_;      // nodes whose `changed` has been written
 };
 
 }  // namespace raycat

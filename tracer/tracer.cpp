@@ -94,9 +94,9 @@ class Shader {
         way_(glm::normalize(ray.direction)),
         scratch_(scratch) {
     // Towards the side the surface is seen from.
-    const double side = glm::dot(hit.normal, ray.direction) > 0.0 ? -1.0 : 1.0;
-    facet_ = side * hit.normal;
-    normal_ = side * shading_normal(hit);
+    side_ = glm::dot(hit.normal, ray.direction) > 0.0 ? -1.0 : 1.0;
+    facet_ = side_ * hit.normal;
+    normal_ = side_ * shading_normal(hit);
     if (glm::dot(normal_, ray.direction) > 0.0) {
       normal_ = facet_;
     }
@@ -107,6 +107,9 @@ class Shader {
     const glm::vec3 base(base_);
     const glm::vec3 tint = material_.textured_emission ? base : glm::vec3(1.0f);
     out.colour = material_.emission * tint + material_.ambient * base * scene_.ambient_light;
+    if (!scene_.lights.empty()) {
+      lift();
+    }
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
       if (add(scene_.lights[i], base, out.colour)) {
         out.lights |= LightMask{1} << i;
@@ -142,19 +145,44 @@ class Shader {
   }
 
  private:
+  // Where normals are interpolated, shadow rays start on the smooth surface that they stand for,
+  // not within the triangle: else the line where light ends would follow the triangles (Hanika,
+  // "Hacking the Shadow Terminator", Ray Tracing Gems II).
+  void lift() {
+    lifted_ = near_;
+    if (hit_.mesh == nullptr || hit_.mesh->mesh->normals.empty()) {
+      return;
+    }
+    const SurfaceMesh& surface = *hit_.mesh->mesh;
+    const glm::uvec3 corners = surface.triangles.triangles[hit_.triangle];
+    const glm::dvec2 v = hit_.barycentric;
+    const glm::dvec3 weights(1.0 - v.x - v.y, v.x, v.y);
+    const glm::dvec3 point = ray_.at(hit_.t);
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 normal =
+          side_ * hit_.mesh->transform.normal(glm::dvec3(surface.normals[corners[k]]));
+      const glm::dvec3 corner = hit_.mesh->transform.point(surface.triangles.positions[corners[k]]);
+      const double below = glm::dot(point - corner, normal);
+      if (below < 0.0 && glm::dot(normal, facet_) > 0.0) {
+        lifted_ -= weights[k] * below * normal;
+      }
+    }
+  }
+
   // Adds what one light contributes; false if it is not visible.
   bool add(const Light& light, const glm::vec3& base, glm::vec3& colour) {
     const glm::dvec3 point = ray_.at(hit_.t);
     const Illumination at = illuminate(light, point);
     const double facing = glm::dot(normal_, at.way);
-    if (at.strength <= 0.0f || facing <= 0.0 || glm::dot(facet_, at.way) <= 0.0) {
+    if (at.strength <= 0.0f || facing <= 0.0) {
       return false;
     }
     ++scratch_.rays.shadow;
-    const glm::vec3 passed = accel_.transmittance(
-        {.origin = near_, .direction = at.way},
-        light.kind == Light::Kind::directional ? at.distance : glm::distance(light.position, near_),
-        scratch_.solid);
+    const glm::vec3 passed = accel_.transmittance({.origin = lifted_, .direction = at.way},
+                                                  light.kind == Light::Kind::directional
+                                                      ? at.distance
+                                                      : glm::distance(light.position, lifted_),
+                                                  scratch_.solid);
     if (passed == black) {
       return false;
     }
@@ -223,6 +251,8 @@ class Shader {
   glm::dvec3 facet_;   // unit, the surface's own normal
   glm::dvec3 normal_;  // unit, for shading
   glm::dvec3 near_;    // where rays start that stay on this side
+  glm::dvec3 lifted_;  // where shadow rays do
+  double side_;        // 1 if the surface is seen from outside, else -1
   TraceScratch& scratch_;
 };
 

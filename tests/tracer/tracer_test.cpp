@@ -78,6 +78,64 @@ TEST_CASE("a light is visible when it is in front and nothing is between", "[tra
   CHECK(traced.tree[0].lights == (1u << 0 | 1u << 4 | 1u << 6));
 }
 
+// A ball of flat triangles with the normals of a round one.
+SurfaceMesh coarse_ball() {
+  constexpr std::uint32_t around = 12;
+  constexpr std::uint32_t rings = 7;
+  SurfaceMesh mesh;
+  for (std::uint32_t ring = 0; ring <= rings; ++ring) {
+    for (std::uint32_t k = 0; k <= around; ++k) {
+      const double polar = 3.141592653589793 * ring / rings;
+      const double turn = 6.283185307179586 * k / around;
+      const glm::dvec3 p(std::sin(polar) * std::cos(turn), std::cos(polar),
+                         -std::sin(polar) * std::sin(turn));
+      mesh.triangles.positions.push_back(p);
+      mesh.normals.emplace_back(p);
+      if (ring > 0 && k > 0) {
+        const std::uint32_t d = ring * (around + 1) + k;
+        const std::uint32_t b = d - around - 1;
+        mesh.triangles.triangles.emplace_back(b - 1, d - 1, d);
+        mesh.triangles.triangles.emplace_back(b - 1, d, b);
+      }
+    }
+  }
+  mesh.triangles.faces.assign(mesh.triangles.triangles.size(), 0);
+  mesh.triangles.face_count = 1;
+  return mesh;
+}
+
+TEST_CASE("light ends on a smooth mesh where its normals turn away, not triangle by triangle",
+          "[tracer][lights]") {
+  SceneBuilder builder;
+  builder.mesh("ball", coarse_ball(), at(0, 0, 0), builder.material({.diffuse = glm::vec3(1.0f)}))
+      .light(sun({-1, -0.4, 0.3}));
+  const Scene scene = builder.take();
+  const glm::dvec3 towards = -scene.lights[0].direction;
+  const Accel accel(scene);
+  TraceScratch scratch;
+  int tried = 0;
+  int wrong = 0;
+  for (double x = -0.9; x < 0.9; x += 0.013) {
+    for (double y = -0.9; y < 0.9; y += 0.017) {
+      const Ray ray{.origin = {x, y, 5}, .direction = {0, 0, -1}};
+      const auto hit = accel.closest(ray, scratch.solid);
+      if (!hit) {
+        continue;
+      }
+      const glm::uvec3 i = hit->mesh->mesh->triangles.triangles[hit->triangle];
+      const auto& normals = hit->mesh->mesh->normals;
+      const glm::dvec2 v = hit->barycentric;
+      const glm::dvec3 normal = (1.0 - v.x - v.y) * glm::dvec3(normals[i.x]) +
+                                v.x * glm::dvec3(normals[i.y]) + v.y * glm::dvec3(normals[i.z]);
+      const bool lit = shade(accel, ray, *hit, Media(), false, scratch).lights != 0;
+      ++tried;
+      wrong += lit == (glm::dot(normal, towards) > 0.0) ? 0 : 1;
+    }
+  }
+  CHECK(tried > 8000);
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("glTF's lights fall off with distance, range and cone", "[tracer][lights]") {
   const auto lit_by = [](const Light& light) {
     SceneBuilder builder;
