@@ -1,3 +1,8 @@
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "app/program.hpp"
@@ -5,16 +10,15 @@
 namespace raycat {
 namespace {
 
-// The lines of the README that run raycat, as a reader would type them.
+// The lines of the README's code that run raycat, as a reader would type them.
 std::vector<std::string> readme_commands() {
+  const std::string program = "build/release/app/raycat ";
   std::istringstream readme(read_file(std::filesystem::path(RAYCAT_SOURCE) / "README.md"));
   std::vector<std::string> commands;
-  bool code = false;
   for (std::string line; std::getline(readme, line);) {
-    if (line.starts_with("```")) {
-      code = !code;
-    } else if (code && line.starts_with("build/release/app/raycat ")) {
-      commands.push_back(line.substr(std::string("build/release/app/raycat ").size()));
+    line.erase(0, line.find_first_not_of(' '));
+    if (line.starts_with(program)) {
+      commands.push_back(line.substr(program.size()));
     }
   }
   return commands;
@@ -23,9 +27,10 @@ std::vector<std::string> readme_commands() {
 TEST_CASE("every raycat command of the README works as printed", "[app][readme]") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "out");
+  std::filesystem::create_directory(folder.path() / "docs");
   std::filesystem::create_directory_symlink(RAYCAT_ASSETS, folder.path() / "assets");
   const auto commands = readme_commands();
-  REQUIRE(commands.size() >= 4);
+  REQUIRE(commands.size() >= 5);
   for (const std::string& command : commands) {
     const Outcome outcome =
         shell(fmt::format("cd '{}' && '{}' {}", folder.path().string(), RAYCAT_PROGRAM, command));
