@@ -25,7 +25,6 @@ using Json = nlohmann::ordered_json;
 struct ProbeOptions {
   CommonOptions common;
   ViewOptions view;
-  int levels = 8;
   std::string pixel;
   std::string rays;
 };
@@ -122,8 +121,8 @@ void probe_pixel(const ProbeOptions& options, SceneFile& file) {
   RayTree tree;
   const glm::vec3 colour =
       trace(accel, ImagePlane(camera, size.width, size.height).ray(pixel.x + 0.5, pixel.y + 0.5),
-            options.levels, tree, scratch);
-  const Encoder encoder = heap_encoder(extent(scene, {}, options.levels));
+            options.view.levels, tree, scratch);
+  const Encoder encoder = heap_encoder(extent(scene, {}, options.view.levels));
   CategoryWords words;
   encode(encoder, tree, words);
   if (!options.common.json) {
@@ -251,12 +250,6 @@ void add_probe(CLI::App& app) {
       app.add_subcommand("probe", "Show the ray tree of a pixel, or what given rays cross");
   add_common(*command, options->common);
   add_view(*command, options->view);
-  command
-      ->add_option("--levels", options->levels,
-                   "Levels of the ray tree, the camera ray's hit being the first")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_levels))
-      ->capture_default_str();
   command->add_option("--pixel", options->pixel, "Show the ray tree and category of this pixel")
       ->type_name("X,Y");
   command

@@ -29,7 +29,6 @@ enum class Method { heap, none };
 struct RenderOptions {
   CommonOptions common;
   ViewOptions view;
-  int levels = 8;
   Method method = Method::heap;
   Detail detail;
   std::string out;
@@ -187,7 +186,7 @@ void render(const RenderOptions& options, const CLI::App& command) {
     ProgressBar bar(options.common.scene, options.common.quiet);
     const RenderSettings settings{.width = size.width,
                                   .height = size.height,
-                                  .levels = options.levels,
+                                  .levels = options.view.levels,
                                   .threads = options.common.threads,
                                   .detail = options.detail,
                                   .progress = bar.callback()};
@@ -238,12 +237,6 @@ void add_render(CLI::App& app) {
   add_view(*command, options->view);
   command->add_option("-o,--out", options->out, "The picture: .png, .exr or .ppm")
       ->type_name("FILE");
-  command
-      ->add_option("--levels", options->levels,
-                   "Levels of the ray tree, the camera ray's hit being the first")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_levels))
-      ->capture_default_str();
   add_choice<Method>(*command, "--method", options->method,
                      {{"heap", Method::heap}, {"none", Method::none}},
                      "Category encoding: heap (default) or none")

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/command.hpp"
+#include "tracer/ray_tree.hpp"
 
 namespace raycat::app {
 namespace {
@@ -106,6 +107,12 @@ void add_view(CLI::App& command, ViewOptions& options) {
       ->type_name("ex,ey,ez,tx,ty,tz[,fov_degrees]")
       ->excludes(camera);
   command.add_flag("--ortho", options.orthographic, "Orthographic projection");
+  command
+      .add_option("--levels", options.levels,
+                  "Levels of the ray tree, the camera ray's hit being the first")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_levels))
+      ->capture_default_str();
 }
 
 ImageSize parse_size(const std::string& text) {

@@ -10,12 +10,13 @@
 
 namespace raycat::app {
 
-/// How a scene is looked at: the options that `render` and `probe` share.
+/// How a scene is looked at and traced: the options that `render` and `probe` share.
 struct ViewOptions {
   std::string size = "512x512";
   std::string camera;
   std::string view;
   bool orthographic = false;
+  int levels = 8;  ///< of recursion
 };
 
 void add_view(CLI::App& command, ViewOptions& options);
