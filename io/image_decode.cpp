@@ -30,6 +30,34 @@ const char* file_name(std::span<const std::uint8_t> bytes) {
   throw std::runtime_error("neither PNG nor JPEG");
 }
 
+// Throws unless every chunk is there to its end: where a PNG breaks off, libpng prints a line of
+// its own and OpenImageIO loses memory.
+void require_whole_png(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t signature = 8;
+  constexpr std::size_t framing = 12;  // a chunk's length, type and checksum
+  bool pixels = false;
+  for (std::size_t at = signature; at < bytes.size();) {
+    const std::span<const std::uint8_t> rest = bytes.subspan(at);
+    if (rest.size() < framing) {
+      throw std::runtime_error("the PNG breaks off");
+    }
+    const std::size_t length = std::size_t{rest[0]} << 24 | std::size_t{rest[1]} << 16 |
+                               std::size_t{rest[2]} << 8 | std::size_t{rest[3]};
+    if (length > rest.size() - framing) {
+      throw std::runtime_error("the PNG breaks off");
+    }
+    const std::string type(rest.begin() + 4, rest.begin() + 8);
+    if (type == "IEND") {
+      break;
+    }
+    pixels = pixels || type == "IDAT";
+    at += framing + length;
+  }
+  if (!pixels) {
+    throw std::runtime_error("the PNG has no pixels");
+  }
+}
+
 std::string reason(const std::string& error) {
   const auto line = error.substr(0, error.find('\n'));
   return line.empty() ? "cannot be decoded" : line;
@@ -56,6 +84,9 @@ std::vector<std::uint8_t> expanded(const std::vector<std::uint8_t>& pixels, std:
 
 DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels) {
   const char* name = file_name(bytes);
+  if (std::string_view(name) == "image.png") {
+    require_whole_png(bytes);
+  }
   OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
   OIIO::ImageSpec config;
   config["oiio:UnassociatedAlpha"] = 1;
