@@ -150,7 +150,7 @@ void require_outputs(const RenderOptions& options) {
   std::set<std::filesystem::path> taken;
   std::error_code ignored;
   const auto place = [&](const std::string& path) {
-    return std::filesystem::weakly_canonical(path, ignored);
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path), ignored);
   };
   for (const std::string& path : paths) {
     const bool device = std::filesystem::is_character_file(path, ignored);
