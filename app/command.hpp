@@ -61,5 +61,7 @@ SceneFile load(const CommonOptions& options);
 void add_render(CLI::App& app);
 void add_info(CLI::App& app);
 void add_probe(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_study(CLI::App& app);
 
 }  // namespace raycat::app

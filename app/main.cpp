@@ -82,6 +82,8 @@ int run(int argc, char** argv) {
   add_render(app);
   add_info(app);
   add_probe(app);
+  add_compare(app);
+  add_study(app);
   require_known_subcommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -116,8 +116,6 @@ void add_view(CLI::App& command, ViewOptions& options) {
 }
 
 ImageSize parse_size(const std::string& text) {
-  constexpr int most_side = 65536;
-  constexpr long long most_pixels = 1LL << 28;
   const std::size_t x = text.find('x');
   const auto width = parse<int>(std::string_view(text).substr(0, x));
   const auto height =

@@ -26,6 +26,9 @@ struct ImageSize {
   int height = 0;
 };
 
+inline constexpr int most_side = 65536;
+inline constexpr long long most_pixels = 1LL << 28;
+
 /// Throws `UsageError` unless `text` is WxH with 1 to 65536 pixels a side and at most 2^28.
 ImageSize parse_size(const std::string& text);
 

@@ -16,14 +16,23 @@ struct CategoryImage {
   std::vector<CategoryId> samples;  ///< (width + 1) * (height + 1), rows from the top
   CategoryTable table;              ///< numbered by first appearance in `samples`
 
+  /// 1 for each sample whose ray met a textured surface (Section 4.2). Empty if none can.
+  std::vector<std::uint8_t> textured;
+
   CategoryId at(int x, int y) const {
     return samples[static_cast<std::size_t>(y) * (static_cast<std::size_t>(width) + 1) +
                    static_cast<std::size_t>(x)];
   }
 
   std::size_t bytes() const noexcept {
-    return samples.capacity() * sizeof(samples[0]) + table.bytes();
+    return samples.capacity() * sizeof(samples[0]) + textured.capacity() + table.bytes();
   }
 };
+
+/// How many pixels have each category, by number: the sizes of the equivalence classes.
+std::vector<std::uint64_t> pixels_per_category(const CategoryImage& image);
+
+/// Pixels whose ray met a textured surface.
+std::uint64_t textured_pixels(const CategoryImage& image);
 
 }  // namespace raycat

@@ -6,9 +6,13 @@ void reduce(RayTree& tree, const Detail& detail, const SurfaceTable& surfaces) {
   std::erase_if(tree, [&](const RayNode& node) {
     return level(node.position) > detail.levels || node.weight < detail.min_weight;
   });
-  if (detail.ids != Granularity::face) {
+  if (detail.paths) {
+    detail.paths->filter(tree, surfaces);
+  }
+  if (detail.ids != Granularity::face || detail.paths) {
+    const SurfaceId none{static_cast<std::uint32_t>(surfaces.count(detail.ids))};
     for (RayNode& node : tree) {
-      node.surface = surfaces.at(detail.ids, node.surface);
+      node.surface = node.surface == untold ? none : surfaces.at(detail.ids, node.surface);
     }
   }
   if (!detail.lights) {

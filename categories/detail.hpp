@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+
+#include "categories/path_expression.hpp"
 #include "geometry/surface_table.hpp"
 #include "tracer/ray_tree.hpp"
 
@@ -11,9 +14,13 @@ struct Detail {
   bool lights = true;        ///< keep which lights reach each node
   Granularity ids = Granularity::face;
   float min_weight = 0.0f;  ///< drop nodes that can count for less in the pixel
+
+  /// Keep what this accepts; all if null.
+  std::shared_ptr<const PathExpression> paths;
 };
 
-/// Reduces `tree` in place to what `detail` keeps. Its surfaces then are ids of `detail.ids`.
+/// Reduces `tree`, whose surfaces are faces, in place to what `detail` keeps. Its surfaces then are
+/// ids of `detail.ids`, and one more for those that `detail.paths` leaves untold.
 /// Reducing a copy again and again serves every level of detail with one trace.
 void reduce(RayTree& tree, const Detail& detail, const SurfaceTable& surfaces);
 

@@ -23,4 +23,19 @@ EdgeMap detect_edges(const CategoryImage& categories) {
   return map;
 }
 
+EdgeMap selected_pixels(const EdgeMap& edges, const CategoryImage& categories) {
+  EdgeMap selected(edges);
+  if (categories.textured.empty()) {
+    return selected;
+  }
+  const auto columns = static_cast<std::size_t>(categories.width) + 1;
+  std::size_t pixel = 0;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(edges.height); ++y) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(edges.width); ++x, ++pixel) {
+      selected.pixels[pixel] |= categories.textured[y * columns + x];
+    }
+  }
+  return selected;
+}
+
 }  // namespace raycat

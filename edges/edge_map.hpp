@@ -26,4 +26,8 @@ struct EdgeMap {
 /// with it alone, the four are equal exactly when the pairs are.
 EdgeMap detect_edges(const CategoryImage& categories);
 
+/// The pixels to oversample (Section 4): those on an edge and those whose ray met a textured
+/// surface, which categories take for uniform (Section 4.2).
+EdgeMap selected_pixels(const EdgeMap& edges, const CategoryImage& categories);
+
 }  // namespace raycat

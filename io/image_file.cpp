@@ -60,8 +60,11 @@ std::string one_line(std::string text) {
 
 // OpenImageIO writes no comments into PPM files, so they are put behind the magic number.
 void add_comments(std::vector<unsigned char>& file, const Provenance& from) {
-  const std::string comments =
+  std::string comments =
       fmt::format("# {}\n# scene {}\n", one_line(from.command), one_line(from.scene));
+  if (!from.legend.empty()) {
+    comments += fmt::format("# {}\n", one_line(from.legend));
+  }
   file.insert(file.begin() + 3, comments.begin(), comments.end());
 }
 
@@ -86,6 +89,9 @@ void write_image(const fs::path& path, const Image& image, const Provenance& pro
   spec.attribute("oiio:ColorSpace", linear ? "linear" : "sRGB");
   spec.attribute("Software", one_line(provenance.command));
   spec.attribute("ImageDescription", one_line(fmt::format("scene {}", provenance.scene)));
+  if (!provenance.legend.empty()) {
+    spec.attribute("Legend", one_line(provenance.legend));
+  }
   if (linear) {
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "1970:01:01 00:00:00");  // or the time of day makes files differ

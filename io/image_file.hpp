@@ -12,6 +12,7 @@ namespace raycat {
 struct Provenance {
   std::string command;  ///< that makes it again
   std::string scene;    ///< the scene file
+  std::string legend;   ///< what colours mean, where it needs saying
 };
 
 /// Throws `std::invalid_argument` unless `path` names a kind of image that can be written: it

@@ -93,6 +93,105 @@ TEST_CASE("less detail makes fewer categories", "[app][render]") {
   CHECK(distinct("--category-levels 1 --lights off --ids object") <= 24);
 }
 
+TEST_CASE("every method makes a map, and numbers say what overflows", "[app][render]") {
+  const auto stats = [](const std::string& method) {
+    return Json::parse(
+        raycat(fmt::format("render {} --size 96x96 --json --method {}", scene("fig9"), method))
+            .out);
+  };
+  const Json heap = stats("heap");
+  CHECK(heap["categories"]["overflowed_pixels"] == 0);
+  for (const std::string method : {"string", "primes", "godel"}) {
+    const Json other = stats(method);
+    CHECK(other["categories"]["method"] == method);
+    CHECK(other["edges"]["pixels"] <= heap["edges"]["pixels"]);
+    CHECK(other["categories"]["distinct"] <= heap["categories"]["distinct"]);
+  }
+  CHECK(stats("godel")["categories"]["overflowed_pixels"] > 1000);
+  CHECK(stats("string")["categories"]["overflowed_pixels"] == 0);
+  CHECK(stats("none")["categories"] == Json{{"method", "none"}});
+}
+
+TEST_CASE("render writes classes, regions, views and refined edges", "[app][render]") {
+  const TemporaryFolder folder;
+  const Outcome outcome = raycat(fmt::format(
+      "render {} --size 90x60 --json --edge-classes '{}' --regions '{}' --segments '{}' "
+      "--selected '{}' --view-as nodes -o '{}' --view-as depth='{}' --subpixel 2 --edges '{}'",
+      scene("fig9"), folder / "classes.png", folder / "regions.png", folder / "segments.png",
+      folder / "selected.png", folder / "nodes.png", folder / "depth.ppm", folder / "edges.ppm"));
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(folder.files() == 7);
+  const Json stats = Json::parse(outcome.out);
+  const Json& edges = stats["edges"];
+  CHECK(edges["selected"] == edges["pixels"]);  // nothing is textured
+  CHECK(edges["classes"]["object"] > 100);
+  CHECK(edges["classes"]["refraction"] > 100);
+  CHECK(edges["classes"]["shadow"] <= edges["pixels"]);
+  CHECK(edges["subpixels"]["width"] == 360);
+  CHECK(edges["subpixels"]["height"] == 240);
+  CHECK(edges["subpixels"]["pixels"] >= edges["pixels"]);
+  CHECK(read_file(folder / "edges.ppm").find("\n360 240\n") != std::string::npos);
+  CHECK(stats["samples"]["category_only"] ==
+        90 + 60 + 1 + edges["subpixels"]["sampled"].get<int>());
+  const auto total = [](const Json& sizes) {
+    std::uint64_t sum = 0;
+    for (const Json& size : sizes) {
+      sum += size.get<std::uint64_t>();
+    }
+    return sum;
+  };
+  CHECK(total(stats["segments"]["sizes"]) == 90 * 60);
+  CHECK(total(stats["regions"]["sizes"]) == 90 * 60);
+  CHECK(stats["regions"]["count"] >= stats["segments"]["count"]);
+  CHECK(stats["regions"]["sizes"].size() == stats["regions"]["count"]);
+  CHECK(read_file(folder / "nodes.png").find("--view-as nodes") != std::string::npos);
+  CHECK(read_file(folder / "depth.ppm").find("viridis") != std::string::npos);
+  CHECK(read_file(folder / "classes.png").find("8 shadow") != std::string::npos);
+}
+
+TEST_CASE("path expressions have levels and lights as special cases", "[app][render]") {
+  const auto map = [](const std::string& options) {
+    const Json stats = Json::parse(
+        raycat(fmt::format("render {} --size 96x96 --json {}", scene("fig8"), options)).out);
+    return std::pair(stats["edges"]["pixels"].get<int>(),
+                     stats["categories"]["distinct"].get<int>());
+  };
+  CHECK(map("--paths 'C'") == map("--category-levels 1 --lights off"));
+  CHECK(map("--paths 'CL?'") == map("--category-levels 1"));
+  CHECK(map("--paths 'C[^L]*'") == map("--lights off"));
+  CHECK(map("--paths 'C.*'") == map(""));
+  CHECK(map("--paths 'C<R.>.*'") != map(""));
+}
+
+TEST_CASE("compare makes Table 1", "[app][compare]") {
+  const Outcome outcome = raycat("compare " + scene("fig9") + " --size 64x64 --json");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const Json table = Json::parse(outcome.out);
+  CHECK(table["pixels"] == 64 * 64);
+  REQUIRE(table["methods"].size() == 4);
+  const Json alone = Json::parse(raycat("render " + scene("fig9") + " --size 64x64 --json").out);
+  const Json& heap = table["methods"][0];
+  CHECK(heap["method"] == "heap");
+  CHECK(heap["edge_pixels"] == alone["edges"]["pixels"]);
+  CHECK(heap["distinct"] == alone["categories"]["distinct"]);
+  CHECK(heap["missed"] == 0);
+  CHECK(heap["false_equalities"] == 0);
+  for (const Json& row : table["methods"]) {
+    CHECK(row["edge_pixels"].get<int>() + row["missed"].get<int>() == heap["edge_pixels"]);
+    CHECK(row["trace_seconds"] > 0.0);
+    CHECK(row["ratio_to_none"] > 0.0);
+  }
+  CHECK(table["methods"][3]["method"] == "godel");
+  CHECK(table["methods"][3]["overflowed"] >= table["methods"][3]["overflowed_80"]);
+  CHECK(table["methods"][3]["overflowed_80"] > 100);
+  const Outcome readable = raycat("compare " + scene("fig1") + " --size 32x32");
+  CHECK(readable.out.starts_with("method "));
+  CHECK(readable.out.find("\nheap ") != std::string::npos);
+}
+
 TEST_CASE("info counts what a scene holds", "[app][info]") {
   const Outcome outcome = raycat("info " + scene("fig10") + " --json");
   REQUIRE(outcome.code == 0);
@@ -121,6 +220,25 @@ TEST_CASE("probe draws the ray tree of a pixel", "[app][probe]") {
   REQUIRE(outcome.code == 0);
   CHECK(outcome.out.find("1 camera: B face 0, lit by L, weight 1\n") == 0);
   CHECK(outcome.out.find("heap category: 0101") != std::string::npos);
+}
+
+TEST_CASE("probe gives a pixel's code under each method", "[app][probe]") {
+  // Symbols are L 1, A 2, B 3, so that their primes are 2, 3, 5; the pixel's string is BLAL.
+  const Outcome outcome = raycat("probe " + scene("fig1") + " --pixel 300,210");
+  CHECK(outcome.out.find("string category: B face 0, L, A face 0, L\n") != std::string::npos);
+  CHECK(outcome.out.find("primes category: 60\n") != std::string::npos);
+  CHECK(outcome.out.find("godel category: 4200\n") != std::string::npos);
+  CHECK(outcome.out.find("heap category: 03010001 01010000\n") != std::string::npos);
+  const Json categories =
+      Json::parse(raycat("probe " + scene("fig1") + " --pixel 300,210 --json").out)["categories"];
+  CHECK(categories["heap"] == Json{0x03010001, 0x01010000});
+  CHECK(categories["string"] == Json{3, 1, 2, 1});
+  CHECK(categories["primes"] == "60");   // 5 * 2 * 3 * 2
+  CHECK(categories["godel"] == "4200");  // 2^3 * 3^1 * 5^2 * 7^1
+  const Json direct = Json::parse(
+      raycat("probe " + scene("fig1") + " --pixel 300,210 --json --category-levels 1 --lights off")
+          .out)["categories"];
+  CHECK(direct["string"] == Json{1});
 }
 
 TEST_CASE("probe lists the crossings of rays with set operations applied", "[app][probe]") {

@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "categories/render.hpp"
+#include "render/render.hpp"
 #include "io/scene_file.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/ratio_report.hpp"

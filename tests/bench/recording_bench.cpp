@@ -1,14 +1,21 @@
-// What recording categories costs: the same image with and without, on one thread. Recording
-// takes in everything up to the finished category image: trees, reduction, heap encoding,
+// What recording categories costs: the same image without and by each method, on one thread each.
+// Recording takes in everything up to the finished category image: trees, reduction, encoding,
 // interning and numbering.
 
+#include <array>
+#include <condition_variable>
 #include <cstddef>
-#include <semaphore>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "categories/render.hpp"
 #include "io/scene_file.hpp"
+#include "render/render.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/ratio_report.hpp"
 #include "tracer/parallel.hpp"
@@ -16,27 +23,44 @@
 namespace raycat::bench {
 namespace {
 
-// Two renders that take turns, a row each, so that whatever slows the machine slows both alike:
-// image by image the ratio is uncertain by several percent where other processes run.
+// Renders that take turns, a row each, so that whatever slows the machine slows all alike: image
+// by image the ratio is uncertain by several percent where other processes run.
 class Turns {
  public:
-  void wait(int side) { own(side).acquire(); }
-  void pass(int side) { own(1 - side).release(); }
-  void finish(int side) { own(1 - side).release(most_rows); }
+  explicit Turns(std::size_t sides) : finished_(sides) {}
+
+  void wait(std::size_t side) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return turn_ == side; });
+  }
+
+  void pass(std::size_t side) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t k = 1; k <= finished_.size(); ++k) {
+      turn_ = (side + k) % finished_.size();
+      if (!finished_[turn_]) {
+        break;
+      }
+    }
+    changed_.notify_all();
+  }
+
+  void finish(std::size_t side) {
+    finished_[side] = true;  // it is this side's turn, so that nobody else looks
+    pass(side);
+  }
 
  private:
-  static constexpr std::ptrdiff_t most_rows = 1 << 16;
-
-  std::counting_semaphore<>& own(int side) { return side == 0 ? first_ : second_; }
-
-  std::counting_semaphore<> first_{1};
-  std::counting_semaphore<> second_{0};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<bool> finished_;
+  std::size_t turn_ = 0;
 };
 
 // CPU seconds a million samples of `work`, which renders with the settings it is given and returns
 // the rays traced: an image with categories has a row and a column of samples more.
 template <typename Work>
-double in_turn(Turns& turns, int side, const Work& work) {
+double in_turn(Turns& turns, std::size_t side, const Work& work) {
   double seconds = 0.0;
   turns.wait(side);
   double start = cpu_seconds();
@@ -56,27 +80,33 @@ void recording(benchmark::State& state, const char* file) {
   const SceneFile loaded = load_scene(file);
   const Accel accel(loaded.scene);
   const Camera& camera = loaded.scene.cameras.front();
-  const auto none = [&](const RenderSettings& settings) {
+  const std::vector<std::pair<std::string, std::optional<Method>>> sides{{"none", std::nullopt},
+                                                                         {"heap", Method::heap},
+                                                                         {"string", Method::string},
+                                                                         {"primes", Method::primes},
+                                                                         {"godel", Method::godel}};
+  const auto rendered = [&](RenderSettings settings, std::optional<Method> method) {
     RayCounts rays;
-    benchmark::DoNotOptimize(render_colour(accel, camera, settings, rays));
-    return rays;
-  };
-  const auto heap = [&](const RenderSettings& settings) {
+    if (!method) {
+      benchmark::DoNotOptimize(render_colour(accel, camera, settings, rays));
+      return rays;
+    }
+    settings.method = *method;
     return render(accel, camera, settings).rays;
   };
   for ([[maybe_unused]] auto _ : state) {
-    Turns turns;
-    double none_seconds = 0.0;
-    double heap_seconds = 0.0;
-    parallel_rows(2, 2, [&](int side, int) {
-      if (side == 0) {
-        none_seconds = in_turn(turns, side, none);
-      } else {
-        heap_seconds = in_turn(turns, side, heap);
-      }
+    Turns turns(sides.size());
+    std::vector<double> seconds(sides.size());
+    const int count = static_cast<int>(sides.size());
+    parallel_rows(count, count, [&](int row, int) {
+      const auto side = static_cast<std::size_t>(row);
+      seconds[side] = in_turn(turns, side, [&](const RenderSettings& settings) {
+        return rendered(settings, sides[side].second);
+      });
     });
-    state.counters["none"] = none_seconds;
-    state.counters["heap"] = heap_seconds;
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+      state.counters[sides[side].first] = seconds[side];
+    }
   }
 }
 
@@ -89,10 +119,53 @@ BENCHMARK_CAPTURE(recording, fig9, RAYCAT_SCENES "/fig9.gltf")
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
+// A million distinct categories of twelve words, each met twice, into a table and, as a yardstick,
+// into the standard library's hash map.
+void interning(benchmark::State& state) {
+  constexpr std::uint32_t count = 1'000'000;
+  const auto words_of = [](std::uint32_t i) {
+    std::array<std::uint32_t, 12> words{};
+    for (std::uint32_t k = 0; k < words.size(); ++k) {
+      words[k] = (k + 1) << 24 | (i >> k & 0xffff);
+    }
+    words[0] = i;
+    return words;
+  };
+  const auto twice = [&](const auto& intern) {
+    const double start = cpu_seconds();
+    for (std::uint32_t i = 0; i < 2 * count; ++i) {
+      intern(words_of(i % count));
+    }
+    return cpu_seconds() - start;
+  };
+  for ([[maybe_unused]] auto _ : state) {
+    CategoryTable table;
+    state.counters["table"] =
+        twice([&](const auto& words) { benchmark::DoNotOptimize(table.intern(words)); });
+    std::unordered_map<std::u32string, std::uint32_t> map;
+    state.counters["map"] = twice([&](const auto& words) {
+      const auto next = static_cast<std::uint32_t>(map.size());
+      benchmark::DoNotOptimize(map.try_emplace({words.begin(), words.end()}, next));
+    });
+    if (table.size() != count || map.size() != count) {
+      state.SkipWithError("not a million categories");
+    }
+  }
+}
+
+BENCHMARK(interning)->Name("million")->Iterations(1)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace raycat::bench
 
 int main(int argc, char** argv) {
-  return raycat::bench::run(argc, argv,
-                            {{"fig8", "heap", "none", 1.05}, {"fig9", "heap", "none", 1.05}});
+  std::vector<raycat::bench::Ratio> ratios;
+  for (const char* scene : {"fig8", "fig9"}) {
+    ratios.push_back({scene, "heap", "none", 1.03});
+    ratios.push_back({scene, "string", "none", 1.05});
+    ratios.push_back({scene, "primes", "none", 1.05});
+    ratios.push_back({scene, "godel", "none", 2.0});
+  }
+  ratios.push_back({"million", "table", "map", {}});
+  return raycat::bench::run(argc, argv, ratios);
 }

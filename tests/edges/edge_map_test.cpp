@@ -54,5 +54,17 @@ TEST_CASE("edges do not depend on the names of categories", "[edges]") {
   }));
 }
 
+TEST_CASE("edges and textured pixels are selected for oversampling", "[edges][textures]") {
+  CategoryImage image{.width = 3, .height = 1};
+  image.samples.assign(8, CategoryId{0});
+  EdgeMap edges{.width = 3, .height = 1, .pixels = {1, 0, 0}};
+  CHECK(selected_pixels(edges, image).pixels == edges.pixels);
+  // Samples of the lattice's last column and row are of no pixel.
+  image.textured = {1, 1, 0, 1,  //
+                    1, 1, 1, 1};
+  CHECK(selected_pixels(edges, image).pixels == std::vector<std::uint8_t>{1, 1, 0});
+  CHECK(textured_pixels(image) == 2);
+}
+
 }  // namespace
 }  // namespace raycat

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "categories/render.hpp"
+#include "render/render.hpp"
 #include "edges/edge_map.hpp"
 #include "io/scene_file.hpp"
 #include "support/scenes.hpp"

@@ -17,7 +17,9 @@ struct RenderSettings {
   int height = 512;
   int levels = 8;  ///< of recursion, the camera ray's hit being the first
   int threads = 1;
-  Detail detail;  ///< of the categories
+  Method method = Method::heap;
+  Detail detail;              ///< of the categories
+  bool mark_textures = true;  ///< fill `CategoryImage::textured`
 
   /// Called now and then with the rows done and their number, one call at a time.
   std::function<void(int done, int rows)> progress;
@@ -27,9 +29,8 @@ struct RenderSettings {
 struct Rendering {
   Image colour;
   CategoryImage categories;
+  Encoder encoder;  ///< that made the categories
   RayCounts rays;
-  std::uint64_t textured_pixels = 0;  ///< whose tree meets a textured surface (Section 4.2)
-  Extent extent;                      ///< that the encoder was chosen for
 };
 
 /// What encoders must hold for a scene at a level of detail.
@@ -42,5 +43,13 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
 /// Renders the image alone, recording nothing. One camera ray a pixel.
 Image render_colour(const Accel& accel, const Camera& camera, const RenderSettings& settings,
                     RayCounts& rays);
+
+/// The categories of single points of the image plane, in pixels as `ImagePlane::ray` has them, by
+/// the encoder of an image that was rendered with the same arguments. Those that are not in `table`
+/// are added by first appearance, whatever the number of threads; `rays` grows by those traced.
+std::vector<CategoryId> categorize(const Accel& accel, const Camera& camera,
+                                   const RenderSettings& settings,
+                                   std::span<const glm::dvec2> points, const Encoder& encoder,
+                                   CategoryTable& table, RayCounts& rays);
 
 }  // namespace raycat

@@ -2,6 +2,7 @@
 
 #include "categories/category_image.hpp"
 #include "edges/edge_map.hpp"
+#include "edges/regions.hpp"
 #include "tracer/image.hpp"
 
 namespace raycat {
@@ -19,5 +20,11 @@ Image overlay_image(const Image& picture, const EdgeMap& edges);
 /// category itself, so a category keeps it from view to view of one scene; where the ray leaves
 /// the scene it is white.
 Image segment_image(const CategoryImage& categories);
+
+/// Each pixel in the colour of its region. The first region of a category, in raster order, has
+/// the category's colour in `segment_image`; the others have hashes of it and their ordinal, so
+/// that they stay in other colours however many regions the rest of the image has. Where the ray
+/// leaves the scene it is white.
+Image region_image(const CategoryImage& categories, const Regions& regions);
 
 }  // namespace raycat

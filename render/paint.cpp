@@ -1,6 +1,7 @@
-#include "edges/paint.hpp"
+#include "render/paint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -43,6 +44,16 @@ glm::vec3 colour_of(std::uint64_t hash) {
   return colour;
 }
 
+// Another hash for each `ordinal`, and for 0 the same.
+std::uint64_t mixed(std::uint64_t hash, std::uint32_t ordinal) {
+  if (ordinal == 0) {
+    return hash;
+  }
+  const std::array<std::uint32_t, 3> words{static_cast<std::uint32_t>(hash >> 32),
+                                           static_cast<std::uint32_t>(hash), ordinal};
+  return hash_words(words);
+}
+
 }  // namespace
 
 Image edge_image(const EdgeMap& edges) { return two_coloured(edges, white, black); }
@@ -70,6 +81,22 @@ Image segment_image(const CategoryImage& categories) {
     for (int x = 0; x < image.width; ++x) {
       image.pixels[image.index(x, y)] = colours[static_cast<std::size_t>(categories.at(x, y))];
     }
+  }
+  return image;
+}
+
+Image region_image(const CategoryImage& categories, const Regions& regions) {
+  std::vector<std::uint32_t> seen(categories.table.size());  // regions of each category so far
+  std::vector<glm::vec3> colours;
+  colours.reserve(regions.count());
+  for (const CategoryId category : regions.categories) {
+    const auto words = categories.table.words(category);
+    const std::uint32_t ordinal = seen[static_cast<std::size_t>(category)]++;
+    colours.push_back(words.empty() ? white : colour_of(mixed(hash_words(words), ordinal)));
+  }
+  Image image(regions.width, regions.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = colours[static_cast<std::size_t>(regions.labels[i])];
   }
   return image;
 }

@@ -1,4 +1,4 @@
-#include "edges/paint.hpp"
+#include "render/paint.hpp"
 
 #include <set>
 #include <tuple>
@@ -57,6 +57,36 @@ TEST_CASE("a hundred categories have nearly a hundred colours", "[edges][paint]"
     colours.emplace(pixel.r, pixel.g, pixel.b);
   }
   CHECK(colours.size() >= 99);
+}
+
+// One row of pixels, with a row and a column of samples more.
+Image regions_painted(const std::vector<std::vector<std::uint32_t>>& categories) {
+  const CategoryImage image = row(categories);
+  return region_image(image, connected_regions(image));
+}
+
+TEST_CASE("regions of one category have colours of their own", "[edges][paint]") {
+  const Image image = regions_painted({{1}, {1}, {2}, {1}, {2}, {1}, {}, {9}});
+  CHECK(image.pixels[0] == image.pixels[1]);
+  std::set<std::tuple<float, float, float>> colours;
+  for (const glm::vec3& pixel : image.pixels) {
+    colours.emplace(pixel.r, pixel.g, pixel.b);
+  }
+  CHECK(colours.size() == 6);  // three regions of 1, two of 2, and white
+}
+
+TEST_CASE("a region's colour depends on its category and ordinal alone", "[edges][paint]") {
+  const Image a = regions_painted({{1}, {2}, {1}, {9}});
+  const Image b = regions_painted({{3}, {1}, {4}, {5}, {1}, {9}});
+  CHECK(a.pixels[0] == b.pixels[1]);
+  CHECK(a.pixels[2] == b.pixels[4]);
+  CHECK(a.pixels[0] == segment_image(row({{1}, {9}})).pixels[0]);
+}
+
+TEST_CASE("where rays leave the scene every region is white", "[edges][paint]") {
+  const Image image = regions_painted({{}, {2}, {}, {9}});
+  CHECK(image.pixels[0] == white);
+  CHECK(image.pixels[2] == white);
 }
 
 }  // namespace

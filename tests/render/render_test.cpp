@@ -1,4 +1,4 @@
-#include "categories/render.hpp"
+#include "render/render.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -71,7 +71,7 @@ TEST_CASE("a sample's category is that of its own ray tree", "[categories][rende
   const Scene scene = shiny();
   const Accel accel(scene);
   const Rendering rendering = render(accel, view, settings(2));
-  const Encoder encoder = heap_encoder(rendering.extent);
+  const Encoder& encoder = rendering.encoder;
   const ImagePlane plane(view, 60, 40);
   TraceScratch scratch;
   for (int y = 0; y <= 40; y += 4) {
@@ -110,7 +110,7 @@ TEST_CASE("pixels that meet a texture are counted", "[categories][render]") {
   camera.orthographic = true;
   camera.half_height = 2.0;  // the tile is half as high and wide as the image
   const Rendering rendering = render(accel, camera, {.width = 20, .height = 20, .threads = 2});
-  CHECK(rendering.textured_pixels == 100);
+  CHECK(textured_pixels(rendering.categories) == 100);
 }
 
 }  // namespace

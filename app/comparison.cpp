@@ -1,0 +1,116 @@
+#include "app/comparison.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+
+#include "categories/exact_number.hpp"
+#include "categories/recode.hpp"
+
+namespace raycat::app {
+namespace {
+
+// Of all threads of the process.
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+// Pixels of the categories that `is` says of.
+std::uint64_t count_pixels(const CategoryImage& image,
+                           const std::function<bool(std::span<const std::uint32_t>)>& is) {
+  const std::vector<std::uint64_t> pixels = pixels_per_category(image);
+  std::uint64_t count = 0;
+  for (std::size_t id = 0; id < pixels.size(); ++id) {
+    count += is(image.table.words(CategoryId{static_cast<std::uint32_t>(id)})) ? pixels[id] : 0;
+  }
+  return count;
+}
+
+std::uint64_t pixels_past(const Encoder& encoder, std::size_t bits, const CategoryImage& image,
+                          const CategoryImage& exact_primes) {
+  if (std::holds_alternative<GodelNumber>(encoder)) {
+    return count_pixels(image, [&](auto words) { return GodelNumber::overflows(words, bits); });
+  }
+  if (std::holds_alternative<PrimesProduct>(encoder)) {
+    return count_pixels(exact_primes, [&](auto words) {
+      BigInteger number;
+      import_bits(number, words.begin(), words.end(), 32);
+      return number >> bits != 0;
+    });
+  }
+  return 0;
+}
+
+// The products themselves, of any size, 32 bits a word.
+CategoryImage exact_primes(const Rendering& heap, const Encoder& primes) {
+  std::vector<std::uint32_t> factors;
+  return recode(heap.categories, heap.encoder, [&](RayTree& tree, CategoryWords& words) {
+    std::get<PrimesProduct>(primes).list_factors(tree, factors);
+    words.clear();
+    export_bits(exact_product(factors), std::back_inserter(words), 32);
+  });
+}
+
+}  // namespace
+
+MethodTable compare_methods(const Accel& accel, const Camera& camera,
+                            const RenderSettings& settings, int repetitions) {
+  constexpr Method methods[] = {Method::heap, Method::string, Method::primes, Method::godel};
+  MethodTable table{.pixels = static_cast<std::uint64_t>(settings.width) *
+                              static_cast<std::uint64_t>(settings.height)};
+  std::vector<double> none;
+  std::vector<std::vector<double>> seconds(std::size(methods));
+  std::vector<std::vector<double>> ratios(std::size(methods));
+  std::vector<Rendering> renderings;
+  const auto samples = static_cast<double>(settings.width + 1) * (settings.height + 1);
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    double start = cpu_seconds();
+    RayCounts ignored;
+    render_colour(accel, camera, settings, ignored);
+    none.push_back(cpu_seconds() - start);
+    for (std::size_t m = 0; m < std::size(methods); ++m) {
+      RenderSettings with = settings;
+      with.method = methods[m];
+      start = cpu_seconds();
+      Rendering rendering = render(accel, camera, with);
+      seconds[m].push_back(cpu_seconds() - start);
+      // A sample each, since an image with categories has a row and a column of samples more.
+      ratios[m].push_back(seconds[m].back() / samples /
+                          (none.back() / static_cast<double>(table.pixels)));
+      if (repetition == 0) {
+        renderings.push_back(std::move(rendering));
+      }
+    }
+  }
+  table.none_seconds = median(none);
+
+  const Rendering& heap = renderings[0];
+  const CategoryImage primes = exact_primes(heap, renderings[2].encoder);
+  for (std::size_t m = 0; m < std::size(methods); ++m) {
+    const CategoryImage& own = renderings[m].categories;
+    const Encoder& encoder = renderings[m].encoder;
+    const Comparison found = compare(methods[m] == Method::primes ? primes : own, heap.categories);
+    table.methods.push_back({.method = std::string(name(methods[m])),
+                             .edge_pixels = found.edge_pixels,
+                             .missed = found.missed,
+                             .false_equalities = found.false_equalities,
+                             .distinct = found.distinct,
+                             .overflowed = pixels_past(encoder, 64, own, primes),
+                             .overflowed_80 = pixels_past(encoder, 80, own, primes),
+                             .bytes = own.bytes(),
+                             .trace_seconds = median(seconds[m]),
+                             .ratio_to_none = median(ratios[m])});
+  }
+  table.machine_word = compare(renderings[2].categories, heap.categories);
+  return table;
+}
+
+}  // namespace raycat::app

@@ -1,0 +1,58 @@
+#include "app/detail_options.hpp"
+
+#include <fmt/format.h>
+
+#include "app/command.hpp"
+
+namespace raycat::app {
+
+void add_detail(CLI::App& command, DetailOptions& options) {
+  add_choice<Granularity>(
+      command, "--ids", options.detail.ids,
+      {{"object", Granularity::object},
+       {"primitive", Granularity::primitive},
+       {"face", Granularity::face}},
+      "What counts as a surface of its own: object, primitive or face (default)")
+      ->type_name("IDS");
+  command
+      .add_option("--category-levels", options.detail.levels,
+                  "Levels of the ray tree that categories keep; all by default")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_levels));
+  add_choice<bool>(command, "--lights", options.detail.lights, {{"on", true}, {"off", false}},
+                   "Do categories tell which lights are visible: on (default) or off")
+      ->type_name("on|off");
+  command
+      .add_option("--min-weight", options.detail.min_weight,
+                  "Categories drop nodes that count for less than this in the pixel")
+      ->type_name("W")
+      ->check(number_in(0.0, 1.0));
+  command
+      .add_option("--paths", options.paths,
+                  "Categories keep what this path expression accepts, such as 'C<R.>.*' for what "
+                  "is seen in mirrors; see docs/path-expressions.md")
+      ->type_name("EXPR");
+  add_choice<bool>(command, "--textures", options.mark_textures,
+                   {{"mark", true}, {"ignore", false}},
+                   "Pixels that meet a texture: mark (default) or ignore them")
+      ->type_name("mark|ignore");
+}
+
+Detail detail_for(const DetailOptions& options, const Scene& scene) {
+  Detail detail = options.detail;
+  if (!options.paths) {
+    return detail;
+  }
+  std::vector<std::string> lights;
+  for (const Light& light : scene.lights) {
+    lights.push_back(light.name);
+  }
+  try {
+    detail.paths = std::make_shared<const PathExpression>(*options.paths, scene.surfaces, lights);
+  } catch (const PathError& error) {
+    throw UsageError(fmt::format("--paths {}: {}", *options.paths, error.what()));
+  }
+  return detail;
+}
+
+}  // namespace raycat::app

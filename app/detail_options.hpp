@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "categories/detail.hpp"
+#include "tracer/scene.hpp"
+
+namespace raycat::app {
+
+/// What categories keep of a ray tree: the options that `render`, `probe` and `compare` share.
+struct DetailOptions {
+  Detail detail;  ///< all but its paths
+  std::optional<std::string> paths;
+  bool mark_textures = true;
+};
+
+void add_detail(CLI::App& command, DetailOptions& options);
+
+/// The detail that the options ask for of `scene`, whose names the path expression may use. Throws
+/// `UsageError`, with the place in the expression, for one that cannot be read.
+Detail detail_for(const DetailOptions& options, const Scene& scene);
+
+}  // namespace raycat::app

@@ -1,0 +1,278 @@
+#include "render/render.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "tracer/parallel.hpp"
+
+namespace raycat {
+namespace {
+
+// Reports rows as they are done; a worker that finds another one reporting goes on.
+class Progress {
+ public:
+  Progress(const RenderSettings& settings, int rows) : report_(settings.progress), rows_(rows) {}
+
+  void row_done() {
+    const int done = ++done_;
+    if (report_) {
+      if (const std::unique_lock lock(mutex_, std::try_to_lock); lock || done == rows_) {
+        report_(done, rows_);
+      }
+    }
+  }
+
+ private:
+  const std::function<void(int, int)>& report_;
+  int rows_;
+  std::atomic<int> done_ = 0;
+  std::mutex mutex_;
+};
+
+// Which primitives have a texture; empty if none has.
+std::vector<bool> textured_primitives(const Scene& scene) {
+  std::vector<bool> textured;
+  for (const MeshInstance& instance : scene.meshes) {
+    if (scene.materials[static_cast<std::size_t>(instance.material)].base_texture) {
+      textured.resize(scene.surfaces.primitives());
+      textured[static_cast<std::size_t>(scene.surfaces.primitive(instance.first_face))] = true;
+    }
+  }
+  return textured;
+}
+
+// Records a tree against the one before, which most samples repeat: nodes are compared as they
+// come, and stored only from the first that differs. (Stored and compared afterwards, trees cost
+// five times as much, since the processor waits to read what it has just written.)
+class RepeatRecorder {
+ public:
+  void start() {
+    matched_ = 0;
+    differs_ = false;
+  }
+
+  void push_back(const RayNode& node) {
+    if (!differs_) {
+      // Of the weights too, which `reduce` may go by.
+      if (matched_ < tree_.size() && tree_[matched_] == node &&
+          tree_[matched_].weight == node.weight) {
+        ++matched_;
+        return;
+      }
+      part();
+    }
+    fresh_.push_back(node);
+  }
+
+  /// Ends the tree; is it the one before?
+  bool repeats() {
+    if (!differs_ && matched_ == tree_.size()) {
+      return true;
+    }
+    if (!differs_) {
+      part();
+    }
+    std::swap(tree_, fresh_);
+    return false;
+  }
+
+  const RayTree& tree() const { return tree_; }
+
+ private:
+  [[gnu::noinline]] void part() {
+    differs_ = true;
+    fresh_.assign(tree_.begin(), tree_.begin() + static_cast<std::ptrdiff_t>(matched_));
+  }
+
+  RayTree tree_;   // the last whole one
+  RayTree fresh_;  // the one being recorded, once it differs
+  std::size_t matched_ = 0;
+  bool differs_ = false;
+};
+
+// What is the same for all samples of an image.
+struct Plan {
+  const Accel& accel;
+  const RenderSettings& settings;
+  const Encoder& encoder;
+  std::vector<bool> textured;  // by primitive; empty if nothing is to be marked
+
+  Plan(const Accel& accel_in, const RenderSettings& settings_in, const Encoder& encoder_in)
+      : accel(accel_in), settings(settings_in), encoder(encoder_in) {
+    if (settings.mark_textures) {
+      textured = textured_primitives(accel.scene());
+    }
+  }
+};
+
+struct Sample {
+  glm::vec3 colour;
+  CategoryId category;  // in the worker's own table
+  bool textured;
+};
+
+// Makes categories on one thread.
+class Worker {
+ public:
+  Sample sample(const Plan& plan, const Ray& ray) {
+    recorder_.start();
+    const glm::vec3 colour = trace(plan.accel, ray, plan.settings.levels, recorder_, scratch_);
+    if (!recorder_.repeats() || !known_) {
+      categorize(plan);
+    }
+    return {.colour = colour, .category = category_, .textured = textured_};
+  }
+
+  const CategoryTable& table() const { return table_; }
+  const RayCounts& rays() const { return scratch_.rays; }
+
+ private:
+  void categorize(const Plan& plan) {
+    const SurfaceTable& surfaces = plan.accel.scene().surfaces;
+    reduced_ = recorder_.tree();
+    reduce(reduced_, plan.settings.detail, surfaces);
+    encode(plan.encoder, reduced_, words_);
+    category_ = table_.intern(words_);
+    textured_ =
+        !plan.textured.empty() && std::ranges::any_of(recorder_.tree(), [&](const RayNode& node) {
+          return plan.textured[static_cast<std::size_t>(surfaces.primitive(node.surface))];
+        });
+    known_ = true;
+  }
+
+  TraceScratch scratch_;
+  RepeatRecorder recorder_;
+  RayTree reduced_;
+  CategoryWords words_;
+  CategoryTable table_;
+
+  // Of the recorder's tree, once there is one.
+  bool known_ = false;
+  CategoryId category_{};
+  bool textured_ = false;
+};
+
+// Numbers the categories of `samples` anew in `table` by first appearance, whichever thread met
+// them: `worker_of[i]` made the i-th run of `run` samples.
+void number_in_order(std::span<CategoryId> samples, std::size_t run,
+                     const std::vector<Worker>& workers, const std::vector<int>& worker_of,
+                     CategoryTable& table) {
+  constexpr CategoryId unknown{~std::uint32_t{0}};
+  std::vector<std::vector<CategoryId>> known;
+  for (const Worker& worker : workers) {
+    known.emplace_back(worker.table().size(), unknown);
+  }
+  std::size_t next = 0;
+  for (const int worker : worker_of) {
+    const auto w = static_cast<std::size_t>(worker);
+    for (const std::size_t end = std::min(next + run, samples.size()); next < end; ++next) {
+      CategoryId& id = known[w][static_cast<std::size_t>(samples[next])];
+      if (id == unknown) {
+        id = table.intern(workers[w].table().words(samples[next]));
+      }
+      samples[next] = id;
+    }
+  }
+}
+
+}  // namespace
+
+Extent extent(const Scene& scene, const Detail& detail, int levels) {
+  return {.levels = static_cast<std::uint64_t>(std::min(levels, detail.levels)),
+          .lights = detail.lights ? scene.lights.size() : 0,
+          .surfaces = scene.surfaces.count(detail.ids) + (detail.paths ? 1 : 0)};
+}
+
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings) {
+  const int columns = settings.width + 1;
+  const int rows = settings.height + 1;
+  Rendering result{.colour = Image(settings.width, settings.height),
+                   .encoder = make_encoder(
+                       settings.method, extent(accel.scene(), settings.detail, settings.levels))};
+  const Plan plan(accel, settings, result.encoder);
+  const ImagePlane plane(camera, settings.width, settings.height);
+
+  CategoryImage& categories = result.categories;
+  categories.width = settings.width;
+  categories.height = settings.height;
+  categories.samples.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  categories.textured.resize(plan.textured.empty() ? 0 : categories.samples.size());
+  std::vector<Worker> workers(static_cast<std::size_t>(settings.threads));
+  std::vector<int> row_worker(static_cast<std::size_t>(rows));
+  Progress progress(settings, rows);
+
+  parallel_rows(rows, settings.threads, [&](int y, int w) {
+    Worker& worker = workers[static_cast<std::size_t>(w)];
+    row_worker[static_cast<std::size_t>(y)] = w;
+    std::size_t next = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);
+    for (int x = 0; x < columns; ++x, ++next) {
+      const Sample sample = worker.sample(plan, plane.ray(x + 0.5, y + 0.5));
+      if (x < settings.width && y < settings.height) {
+        result.colour.pixels[result.colour.index(x, y)] = sample.colour;
+      }
+      categories.samples[next] = sample.category;
+      if (sample.textured) {
+        categories.textured[next] = 1;
+      }
+    }
+    progress.row_done();
+  });
+
+  number_in_order(categories.samples, static_cast<std::size_t>(columns), workers, row_worker,
+                  categories.table);
+  for (const Worker& worker : workers) {
+    result.rays += worker.rays();
+  }
+  return result;
+}
+
+Image render_colour(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+                    RayCounts& rays) {
+  Image image(settings.width, settings.height);
+  const ImagePlane plane(camera, settings.width, settings.height);
+  std::vector<TraceScratch> scratch(static_cast<std::size_t>(settings.threads));
+  Progress progress(settings, settings.height);
+  parallel_rows(settings.height, settings.threads, [&](int y, int w) {
+    NoRecord nothing;
+    for (int x = 0; x < settings.width; ++x) {
+      image.pixels[image.index(x, y)] = trace(accel, plane.ray(x + 0.5, y + 0.5), settings.levels,
+                                              nothing, scratch[static_cast<std::size_t>(w)]);
+    }
+    progress.row_done();
+  });
+  for (const TraceScratch& each : scratch) {
+    rays += each.rays;
+  }
+  return image;
+}
+
+std::vector<CategoryId> categorize(const Accel& accel, const Camera& camera,
+                                   const RenderSettings& settings,
+                                   std::span<const glm::dvec2> points, const Encoder& encoder,
+                                   CategoryTable& table, RayCounts& rays) {
+  constexpr std::size_t run = 256;
+  const Plan plan(accel, settings, encoder);
+  const ImagePlane plane(camera, settings.width, settings.height);
+  const std::size_t runs = (points.size() + run - 1) / run;
+  std::vector<CategoryId> samples(points.size());
+  std::vector<Worker> workers(static_cast<std::size_t>(settings.threads));
+  std::vector<int> run_worker(runs);
+  parallel_rows(static_cast<int>(runs), settings.threads, [&](int r, int w) {
+    run_worker[static_cast<std::size_t>(r)] = w;
+    const std::size_t begin = static_cast<std::size_t>(r) * run;
+    for (std::size_t i = begin; i < std::min(begin + run, points.size()); ++i) {
+      samples[i] = workers[static_cast<std::size_t>(w)]
+                       .sample(plan, plane.ray(points[i].x, points[i].y))
+                       .category;
+    }
+  });
+  number_in_order(samples, run, workers, run_worker, table);
+  for (const Worker& worker : workers) {
+    rays += worker.rays();
+  }
+  return samples;
+}
+
+}  // namespace raycat
