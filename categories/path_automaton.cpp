@@ -96,7 +96,7 @@ class Builder {
     number({});
     number(after_camera());
     std::vector<Arrival> arrivals;
-    for (std::size_t state = 0; state < subsets_.size(); ++state) {
+    for (State state = 0; state < states_.size(); ++state) {  // finds more as it goes
       for (NameClass k = 0; k < classes_; ++k) {
         arrivals.push_back(arrival(*subsets_[state], k));
       }

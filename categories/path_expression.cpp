@@ -24,9 +24,12 @@ PathExpression::PathExpression(const paths::PathSyntax& syntax, paths::Classes c
 // nodes above the one at hand, if they are in the tree at all.
 void PathExpression::filter(RayTree& tree, const SurfaceTable& surfaces) const {
   using paths::Automaton;
-  constexpr Automaton::Arrival nothing;
-  std::array<HeapPosition, most_levels + 1> positions{};
-  std::array<const Automaton::Arrival*, most_levels + 1> arrivals;
+  static constexpr Automaton::Arrival nothing;
+  struct Met {
+    HeapPosition position = 0;
+    const Automaton::Arrival* arrival = &nothing;
+  };
+  std::array<Met, most_levels + 1> met;  // by level
   auto kept = tree.end();
   for (auto node = tree.end(); node != tree.begin();) {
     --node;
@@ -34,17 +37,17 @@ void PathExpression::filter(RayTree& tree, const SurfaceTable& surfaces) const {
     const auto here = static_cast<std::size_t>(level(node->position));
     Automaton::State state = Automaton::start;
     if (node->position != root) {
-      const bool known = positions[here - 1] == node->position / 2;
-      state = known ? arrivals[here - 1]->next[node->position % 2] : Automaton::dead;
+      const Met& parent = met[here - 1];
+      const bool known = parent.position == node->position / 2;
+      state = known ? parent.arrival->next[node->position % 2] : Automaton::dead;
     }
-    positions[here] = node->position;
+    met[here] = {.position = node->position};
     if (state == Automaton::dead) {
-      arrivals[here] = &nothing;
       continue;
     }
     const auto object = static_cast<std::size_t>(surfaces.object(node->surface));
     const Automaton::Arrival& arrival = automaton_.arrive(state, class_of_object_[object]);
-    arrivals[here] = &arrival;
+    met[here].arrival = &arrival;
     const LightMask lights = node->lights & arrival.lights;
     if (arrival.surface || lights != 0) {
       --kept;

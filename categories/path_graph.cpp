@@ -59,8 +59,8 @@ class Builder {
   }
 
   Index before(const Sequence& sequence, Index next) {
-    for (auto part = sequence.parts.rbegin(); part != sequence.parts.rend(); ++part) {
-      next = before(*part, next);
+    for (std::size_t i = sequence.parts.size(); i-- > 0;) {
+      next = before(sequence.parts[i], next);
     }
     return next;
   }

@@ -1,6 +1,7 @@
 #include "categories/path_parser.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -182,11 +183,9 @@ class Parser {
   }
 
   std::optional<EventTypes> letter() {
-    constexpr std::pair<char, EventTypes> letters[]{{'R', reflection_event},
-                                                    {'T', refraction_event},
-                                                    {'L', light_event},
-                                                    {'O', hit_event},
-                                                    {'.', dot_events}};
+    constexpr std::array letters{std::pair{'R', reflection_event}, std::pair{'T', refraction_event},
+                                 std::pair{'L', light_event}, std::pair{'O', hit_event},
+                                 std::pair{'.', dot_events}};
     for (const auto& [written, types] : letters) {
       if (text_.take(written)) {
         return types;

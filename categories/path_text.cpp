@@ -1,6 +1,7 @@
 #include "categories/path_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,14 +23,16 @@ bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 
 
 // Letters of light path expressions that have no meaning here, and why.
 std::string_view why_not(char letter) {
-  constexpr std::pair<char, std::string_view> reasons[]{
-      {'D', "no surface scatters rays diffusely: rays reflect and refract specularly, S"},
-      {'G', "no surface scatters rays glossily: rays reflect and refract specularly, S"},
-      {'s', "a ray that goes straight through a surface is refracted, T, and its scattering is S"},
-      {'V', "there are no volumes"},
-      {'B', "the background is no hit"},
-      {'E', "the camera is C"},
-      {'C', "C, the camera, comes first and once"}};
+  using Reason = std::pair<char, std::string_view>;
+  constexpr std::array reasons{
+      Reason{'D', "no surface scatters rays diffusely: rays reflect and refract specularly, S"},
+      Reason{'G', "no surface scatters rays glossily: rays reflect and refract specularly, S"},
+      Reason{'s',
+             "a ray that goes straight through a surface is refracted, T, and its scattering is S"},
+      Reason{'V', "there are no volumes"},
+      Reason{'B', "the background is no hit"},
+      Reason{'E', "the camera is C"},
+      Reason{'C', "C, the camera, comes first and once"}};
   for (const auto& [known, reason] : reasons) {
     if (known == letter) {
       return reason;
@@ -98,7 +101,7 @@ void PathText::fail(std::string_view expected) const {
     throw PathError(column(), fmt::format("expected {}, found the end", expected));
   }
   if (control(text_[at_])) {
-    const auto code = static_cast<unsigned>(text_[at_]);
+    const auto code = static_cast<unsigned char>(text_[at_]);
     throw PathError(column(), fmt::format("expected {}, found the byte {:#04x}", expected, code));
   }
   std::size_t end = at_ + 1;
@@ -123,7 +126,7 @@ std::string quote(std::string_view name) {
   std::string text = "'";
   for (const char c : name.substr(0, end)) {
     if (control(c)) {
-      text += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
+      text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     } else if (c == '\'' || c == '\\') {
       text += {'\\', c};
     } else {

@@ -10,12 +10,11 @@
 namespace raycat {
 namespace {
 
-// The lines of the README's code that run raycat, as a reader would type them.
-std::vector<std::string> readme_commands() {
-  const std::string program = "build/release/app/raycat ";
-  std::istringstream readme(read_file(std::filesystem::path(RAYCAT_SOURCE) / "README.md"));
+// The lines of a document's code that start with `program` and run it, as a reader would type them.
+std::vector<std::string> commands_of(const std::string& document, const std::string& program) {
+  std::istringstream text(read_file(std::filesystem::path(RAYCAT_SOURCE) / document));
   std::vector<std::string> commands;
-  for (std::string line; std::getline(readme, line);) {
+  for (std::string line; std::getline(text, line);) {
     line.erase(0, line.find_first_not_of(' '));
     if (line.starts_with(program)) {
       commands.push_back(line.substr(program.size()));
@@ -24,13 +23,11 @@ std::vector<std::string> readme_commands() {
   return commands;
 }
 
-TEST_CASE("every raycat command of the README works as printed", "[app][readme]") {
+void check_all(const std::vector<std::string>& commands) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "out");
   std::filesystem::create_directory(folder.path() / "docs");
   std::filesystem::create_directory_symlink(RAYCAT_ASSETS, folder.path() / "assets");
-  const auto commands = readme_commands();
-  REQUIRE(commands.size() >= 5);
   for (const std::string& command : commands) {
     const Outcome outcome =
         shell(fmt::format("cd '{}' && '{}' {}", folder.path().string(), RAYCAT_PROGRAM, command));
@@ -38,6 +35,21 @@ TEST_CASE("every raycat command of the README works as printed", "[app][readme]"
     CHECK(outcome.code == 0);
     CHECK(outcome.err.empty());
   }
+}
+
+TEST_CASE("every raycat command of the README works as printed", "[app][readme]") {
+  const auto commands = commands_of("README.md", "build/release/app/raycat ");
+  REQUIRE(commands.size() >= 9);
+  check_all(commands);
+}
+
+TEST_CASE("every raycat command of the pages on maps and paths works as printed", "[app][readme]") {
+  const auto maps = commands_of("docs/maps.md", "raycat ");
+  const auto paths = commands_of("docs/path-expressions.md", "raycat ");
+  REQUIRE(maps.size() >= 5);
+  REQUIRE(paths.size() >= 3);
+  check_all(maps);
+  check_all(paths);
 }
 
 }  // namespace
