@@ -100,7 +100,7 @@ void add_compare(CLI::App& app) {
   add_detail(*command, options->detail);
   command
       ->add_option("--repetitions", options->repetitions,
-                   "Renders with each method, taking turns; times are medians")
+                   "Renders with each method, one thread each and in turns; times are medians")
       ->type_name("N")
       ->check(CLI::Range(5, 1000))
       ->capture_default_str();

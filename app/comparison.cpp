@@ -1,21 +1,15 @@
 #include "app/comparison.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
+#include <optional>
 
 #include "categories/exact_number.hpp"
 #include "categories/recode.hpp"
+#include "render/in_turns.hpp"
 
 namespace raycat::app {
 namespace {
-
-// Of all threads of the process.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -66,37 +60,38 @@ MethodTable compare_methods(const Accel& accel, const Camera& camera,
   constexpr Method methods[] = {Method::heap, Method::string, Method::primes, Method::godel};
   MethodTable table{.pixels = static_cast<std::uint64_t>(settings.width) *
                               static_cast<std::uint64_t>(settings.height)};
+  std::vector<std::optional<Rendering>> renderings(std::size(methods));
+  std::vector<TimedRender> renders{[&](const RenderSettings& own) {
+    RayCounts ignored;
+    render_colour(accel, camera, own, ignored);
+  }};
+  for (std::size_t m = 0; m < std::size(methods); ++m) {
+    renders.emplace_back([&, m](RenderSettings own) {
+      own.method = methods[m];
+      renderings[m] = render(accel, camera, own);
+    });
+  }
   std::vector<double> none;
   std::vector<std::vector<double>> seconds(std::size(methods));
   std::vector<std::vector<double>> ratios(std::size(methods));
-  std::vector<Rendering> renderings;
+  // An image with categories has a row and a column of samples more.
   const auto samples = static_cast<double>(settings.width + 1) * (settings.height + 1);
+  const double more = samples / static_cast<double>(table.pixels);
   for (int repetition = 0; repetition < repetitions; ++repetition) {
-    double start = cpu_seconds();
-    RayCounts ignored;
-    render_colour(accel, camera, settings, ignored);
-    none.push_back(cpu_seconds() - start);
+    const std::vector<double> taken = cpu_seconds_in_turns(renders, settings);
+    none.push_back(taken[0]);
     for (std::size_t m = 0; m < std::size(methods); ++m) {
-      RenderSettings with = settings;
-      with.method = methods[m];
-      start = cpu_seconds();
-      Rendering rendering = render(accel, camera, with);
-      seconds[m].push_back(cpu_seconds() - start);
-      // A sample each, since an image with categories has a row and a column of samples more.
-      ratios[m].push_back(seconds[m].back() / samples /
-                          (none.back() / static_cast<double>(table.pixels)));
-      if (repetition == 0) {
-        renderings.push_back(std::move(rendering));
-      }
+      seconds[m].push_back(taken[m + 1]);
+      ratios[m].push_back(taken[m + 1] / more / taken[0]);
     }
   }
   table.none_seconds = median(none);
 
-  const Rendering& heap = renderings[0];
-  const CategoryImage primes = exact_primes(heap, renderings[2].encoder);
+  const Rendering& heap = *renderings[0];
+  const CategoryImage primes = exact_primes(heap, renderings[2]->encoder);
   for (std::size_t m = 0; m < std::size(methods); ++m) {
-    const CategoryImage& own = renderings[m].categories;
-    const Encoder& encoder = renderings[m].encoder;
+    const CategoryImage& own = renderings[m]->categories;
+    const Encoder& encoder = renderings[m]->encoder;
     const Comparison found = compare(methods[m] == Method::primes ? primes : own, heap.categories);
     table.methods.push_back({.method = std::string(name(methods[m])),
                              .edge_pixels = found.edge_pixels,
@@ -109,7 +104,7 @@ MethodTable compare_methods(const Accel& accel, const Camera& camera,
                              .trace_seconds = median(seconds[m]),
                              .ratio_to_none = median(ratios[m])});
   }
-  table.machine_word = compare(renderings[2].categories, heap.categories);
+  table.machine_word = compare(renderings[2]->categories, heap.categories);
   return table;
 }
 

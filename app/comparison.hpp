@@ -35,7 +35,8 @@ struct MethodTable {
   Comparison machine_word;
 };
 
-/// Renders with each method and with none in turn, `repetitions` times.
+/// Renders with each method and with none, taking turns row by row, `repetitions` times. Times are
+/// of one thread each, whatever `settings.threads`; ratios are per sample.
 MethodTable compare_methods(const Accel& accel, const Camera& camera,
                             const RenderSettings& settings, int repetitions);
 

@@ -48,7 +48,6 @@ MethodTable compare(const StudySettings& settings, const StudyScene& scene) {
                          {.width = settings.size.width,
                           .height = settings.size.height,
                           .levels = levels,
-                          .threads = 1,  // threads that share caches disturb each other's times
                           .progress = bar.callback()},
                          repetitions);
 }

@@ -3,10 +3,7 @@
 // interning and numbering.
 
 #include <array>
-#include <condition_variable>
 #include <cstddef>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -15,97 +12,41 @@
 #include <benchmark/benchmark.h>
 
 #include "io/scene_file.hpp"
-#include "render/render.hpp"
+#include "render/in_turns.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/ratio_report.hpp"
-#include "tracer/parallel.hpp"
 
 namespace raycat::bench {
 namespace {
-
-// Renders that take turns, a row each, so that whatever slows the machine slows all alike: image
-// by image the ratio is uncertain by several percent where other processes run.
-class Turns {
- public:
-  explicit Turns(std::size_t sides) : finished_(sides) {}
-
-  void wait(std::size_t side) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return turn_ == side; });
-  }
-
-  void pass(std::size_t side) {
-    const std::lock_guard lock(mutex_);
-    for (std::size_t k = 1; k <= finished_.size(); ++k) {
-      turn_ = (side + k) % finished_.size();
-      if (!finished_[turn_]) {
-        break;
-      }
-    }
-    changed_.notify_all();
-  }
-
-  void finish(std::size_t side) {
-    finished_[side] = true;  // it is this side's turn, so that nobody else looks
-    pass(side);
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<bool> finished_;
-  std::size_t turn_ = 0;
-};
-
-// CPU seconds a million samples of `work`, which renders with the settings it is given and returns
-// the rays traced: an image with categories has a row and a column of samples more.
-template <typename Work>
-double in_turn(Turns& turns, std::size_t side, const Work& work) {
-  double seconds = 0.0;
-  turns.wait(side);
-  double start = cpu_seconds();
-  const RenderSettings settings{.width = 512, .height = 512, .progress = [&](int, int) {
-                                  seconds += cpu_seconds() - start;
-                                  turns.pass(side);
-                                  turns.wait(side);
-                                  start = cpu_seconds();
-                                }};
-  const RayCounts rays = work(settings);
-  seconds += cpu_seconds() - start;
-  turns.finish(side);
-  return 1e6 * seconds / static_cast<double>(rays.camera);
-}
 
 void recording(benchmark::State& state, const char* file) {
   const SceneFile loaded = load_scene(file);
   const Accel accel(loaded.scene);
   const Camera& camera = loaded.scene.cameras.front();
-  const std::vector<std::pair<std::string, std::optional<Method>>> sides{{"none", std::nullopt},
-                                                                         {"heap", Method::heap},
-                                                                         {"string", Method::string},
-                                                                         {"primes", Method::primes},
-                                                                         {"godel", Method::godel}};
-  const auto rendered = [&](RenderSettings settings, std::optional<Method> method) {
-    RayCounts rays;
-    if (!method) {
-      benchmark::DoNotOptimize(render_colour(accel, camera, settings, rays));
-      return rays;
-    }
-    settings.method = *method;
-    return render(accel, camera, settings).rays;
-  };
-  for ([[maybe_unused]] auto _ : state) {
-    Turns turns(sides.size());
-    std::vector<double> seconds(sides.size());
-    const int count = static_cast<int>(sides.size());
-    parallel_rows(count, count, [&](int row, int) {
-      const auto side = static_cast<std::size_t>(row);
-      seconds[side] = in_turn(turns, side, [&](const RenderSettings& settings) {
-        return rendered(settings, sides[side].second);
-      });
+  const std::vector<std::pair<std::string, Method>> methods{{"heap", Method::heap},
+                                                            {"string", Method::string},
+                                                            {"primes", Method::primes},
+                                                            {"godel", Method::godel}};
+  // Counters are CPU seconds a million samples: an image with categories has a row and a column
+  // of samples more.
+  RayCounts none_rays;
+  RayCounts rays;
+  std::vector<TimedRender> renders{[&](const RenderSettings& settings) {
+    none_rays = {};
+    benchmark::DoNotOptimize(render_colour(accel, camera, settings, none_rays));
+  }};
+  for (const auto& [name, method] : methods) {
+    renders.emplace_back([&, how = method](RenderSettings settings) {
+      settings.method = how;
+      rays = render(accel, camera, settings).rays;
     });
-    for (std::size_t side = 0; side < sides.size(); ++side) {
-      state.counters[sides[side].first] = seconds[side];
+  }
+  for ([[maybe_unused]] auto _ : state) {
+    const std::vector<double> seconds =
+        cpu_seconds_in_turns(renders, {.width = 512, .height = 512});
+    state.counters["none"] = 1e6 * seconds[0] / static_cast<double>(none_rays.camera);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      state.counters[methods[m].first] = 1e6 * seconds[m + 1] / static_cast<double>(rays.camera);
     }
   }
 }
