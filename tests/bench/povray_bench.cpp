@@ -10,8 +10,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "render/render.hpp"
 #include "io/scene_file.hpp"
+#include "render/render.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/ratio_report.hpp"
 

@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "render/render.hpp"
 #include "edges/edge_map.hpp"
 #include "io/scene_file.hpp"
+#include "render/render.hpp"
 #include "support/scenes.hpp"
 
 namespace raycat {
