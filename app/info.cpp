@@ -32,7 +32,7 @@ nlohmann::ordered_json summary(const SceneFile& file) {
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_string()) {
-    return value.get<std::string>();
+    return printable(value.get<std::string>());
   }
   if (value.is_boolean()) {
     return value.get<bool>() ? "yes" : "no";

@@ -14,9 +14,10 @@ namespace raycat::app {
 std::string surface_name(const SurfaceTable& surfaces, SurfaceId surface) {
   const std::string& object = surfaces.name(surfaces.object(surface));
   const std::string& primitive = surfaces.name(surfaces.primitive(surface));
-  return fmt::format("{} face {}",
-                     object == primitive ? object : fmt::format("{} / {}", object, primitive),
-                     surfaces.face_in_primitive(surface));
+  return fmt::format(
+      "{} face {}",
+      printable(object == primitive ? object : fmt::format("{} / {}", object, primitive)),
+      surfaces.face_in_primitive(surface));
 }
 
 namespace {

@@ -23,7 +23,7 @@ void probe_pixel(const ProbeOptions& options, SceneFile& file);
 /// Prints what each ray of `in` crosses: lines ox oy oz dx dy dz.
 void probe_rays(const ProbeOptions& options, const SceneFile& file, std::istream& in);
 
-/// Object, primitive where it has another name, and face.
+/// Object, primitive where it has another name, and face, for a terminal.
 std::string surface_name(const SurfaceTable& surfaces, SurfaceId face);
 
 }  // namespace raycat::app

@@ -70,7 +70,7 @@ std::string drawn(const Scene& scene, RayTree tree) {
                         surface_name(scene.surfaces, node.surface));
     std::string lights;
     for (const std::string& name : light_names(scene, node.lights)) {
-      lights += (lights.empty() ? "" : ", ") + name;
+      lights += (lights.empty() ? "" : ", ") + printable(name);
     }
     text +=
         fmt::format(", lit by {}, weight {:.4g}", lights.empty() ? "nothing" : lights, node.weight);
@@ -116,7 +116,7 @@ std::string symbol_name(const Scene& scene, const Extent& extent, Granularity id
                         std::uint32_t symbol) {
   const std::uint64_t index = symbol - 1;
   if (index < extent.lights) {
-    return scene.lights[index].name;
+    return printable(scene.lights[index].name);
   }
   const std::uint64_t surface = index - extent.lights;
   const SurfaceTable& surfaces = scene.surfaces;
@@ -125,9 +125,9 @@ std::string symbol_name(const Scene& scene, const Extent& extent, Granularity id
   }
   switch (ids) {
     case Granularity::object:
-      return surfaces.name(ObjectId{static_cast<std::uint32_t>(surface)});
+      return printable(surfaces.name(ObjectId{static_cast<std::uint32_t>(surface)}));
     case Granularity::primitive:
-      return surfaces.name(PrimitiveId{static_cast<std::uint32_t>(surface)});
+      return printable(surfaces.name(PrimitiveId{static_cast<std::uint32_t>(surface)}));
     case Granularity::face:
       break;
   }
@@ -192,6 +192,9 @@ void probe_pixel(const ProbeOptions& options, SceneFile& file) {
   const Codes codes = codes_of(reduced, limits);
   if (!options.common.json) {
     print(drawn(scene, tree));
+    if (reduced.size() < tree.size()) {
+      print(fmt::format("categories keep {} of these {} nodes", reduced.size(), tree.size()));
+    }
     print_codes(codes, scene, limits, detail.ids);
     print(fmt::format("linear colour: {:.4g} {:.4g} {:.4g}", colour.r, colour.g, colour.b));
     return;

@@ -40,6 +40,9 @@ void parse_view(const std::string& text, RenderOptions& options) {
       continue;
     }
     if (equals != std::string::npos) {
+      if (equals + 1 == text.size()) {
+        throw CLI::ValidationError("--view-as", fmt::format("{} has no file after it", text));
+      }
       options.views.emplace_back(view, text.substr(equals + 1));
     } else if (options.view_as) {
       throw CLI::ValidationError("--view-as", "the picture shows one view: use KIND=FILE");
@@ -66,6 +69,9 @@ void require_method(const RenderOptions& options, bool makes_maps) {
   if (!options.method) {
     if (makes_maps || options.view_as) {
       throw UsageError("--method none makes no edges, segments or other maps of categories");
+    }
+    if (options.detail.paths || options.subpixel > 0) {
+      throw UsageError("--method none makes no categories, which --paths and --subpixel are for");
     }
     return;
   }
@@ -134,6 +140,10 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
 void require_outputs(const RenderOptions& options, const ImageSize& size) {
   std::vector<std::string> paths = category_images(options);
   require_method(options, !paths.empty() || !options.edge_classes.empty());
+  if (options.subpixel > 0 && options.edges.empty() && options.lines.empty() &&
+      options.stats.empty() && !options.common.json) {
+    throw UsageError("--subpixel: give --edges or --lines, which it refines");
+  }
   if (options.view_as && options.out.empty()) {
     throw UsageError(fmt::format("--view-as {0}: give -o OUT.png or --view-as {0}=FILE",
                                  name(*options.view_as)));

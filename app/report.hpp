@@ -14,6 +14,9 @@ namespace raycat::app {
 /// Prints `text` and a line end to stdout. Throws `std::runtime_error` if it cannot be written.
 void print(const std::string& text);
 
+/// `text` with a question mark for each control character, so that names cannot steer a terminal.
+std::string printable(std::string text);
+
 /// Text of `value`, on one line or indented; what is not UTF-8 in names is replaced.
 std::string dump(const nlohmann::ordered_json& value, int indent = -1);
 

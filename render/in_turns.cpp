@@ -10,6 +10,8 @@
 namespace raycat {
 namespace {
 
+// Who comes first in a round finds the caches cold that the others find warm, so all are first in
+// turn.
 class Turns {
  public:
   explicit Turns(std::size_t sides) : finished_(sides) {}
@@ -29,8 +31,10 @@ class Turns {
   void pass(std::size_t side, bool finished) {
     const std::lock_guard lock(mutex_);
     finished_[side] = finished;
-    for (std::size_t k = 1; k <= finished_.size(); ++k) {
-      turn_ = (side + k) % finished_.size();
+    const std::size_t sides = finished_.size();
+    for (std::size_t k = 0; k < 2 * sides; ++k) {
+      ++step_;
+      turn_ = (step_ / sides + step_) % sides;
       if (!finished_[turn_]) {
         break;
       }
@@ -42,6 +46,7 @@ class Turns {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<bool> finished_;
+  std::size_t step_ = 0;  // turns so far; each round of them begins one side later than the last
   std::size_t turn_ = 0;
   bool abandoned_ = false;
 };

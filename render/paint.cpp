@@ -92,7 +92,8 @@ Image region_image(const CategoryImage& categories, const Regions& regions) {
   for (const CategoryId category : regions.categories) {
     const auto words = categories.table.words(category);
     const std::uint32_t ordinal = seen[static_cast<std::size_t>(category)]++;
-    colours.push_back(words.empty() ? white : colour_of(mixed(hash_words(words), ordinal)));
+    const bool sky = words.empty() && ordinal == 0;
+    colours.push_back(sky ? white : colour_of(mixed(hash_words(words), ordinal)));
   }
   Image image(regions.width, regions.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

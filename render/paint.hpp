@@ -23,8 +23,7 @@ Image segment_image(const CategoryImage& categories);
 
 /// Each pixel in the colour of its region. The first region of a category, in raster order, has
 /// the category's colour in `segment_image`; the others have hashes of it and their ordinal, so
-/// that they stay in other colours however many regions the rest of the image has. Where the ray
-/// leaves the scene it is white.
+/// that they stay in other colours however many regions the rest of the image has.
 Image region_image(const CategoryImage& categories, const Regions& regions);
 
 }  // namespace raycat

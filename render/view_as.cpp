@@ -105,7 +105,7 @@ std::string_view name(View view) {
 ViewImage view_image(const CategoryImage& categories, const Encoder& heap, View view) {
   if (view == View::category) {
     return {.image = segment_image(categories),
-            .legend = "a colour for each category, a hash of it; white: no hit"};
+            .legend = "a colour for each category, a hash of it; white: no hit that counts"};
   }
   std::vector<Measure> measures;
   int most = 0;
@@ -130,11 +130,12 @@ ViewImage view_image(const CategoryImage& categories, const Encoder& heap, View 
             .legend =
                 "more nodes by reflection: magenta (204,121,167), by refraction: green "
                 "(0,158,115), as many: yellow (240,228,66), the surface alone: grey "
-                "(160,160,160); white: no hit"};
+                "(160,160,160); white: no hit that counts"};
   }
   return {.image = painted(categories, colours),
-          .legend = fmt::format("{}: viridis from 0 (68,1,84) to {} (253,231,37); white: no hit",
-                                name(view), most)};
+          .legend = fmt::format(
+              "{}: viridis from 0 (68,1,84) to {} (253,231,37); white: no hit that counts",
+              name(view), most)};
 }
 
 }  // namespace raycat

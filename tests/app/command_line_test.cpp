@@ -163,6 +163,7 @@ TEST_CASE("path expressions have levels and lights as special cases", "[app][ren
   CHECK(map("--paths 'C[^L]*'") == map("--lights off"));
   CHECK(map("--paths 'C.*'") == map(""));
   CHECK(map("--paths 'C<R.>.*'") != map(""));
+  CHECK(map("--paths CL --lights off") == std::pair(0, 1));
 }
 
 TEST_CASE("compare makes Table 1", "[app][compare]") {

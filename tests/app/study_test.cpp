@@ -385,10 +385,10 @@ TEST_CASE("a study that cannot be is one line and exit code 2", "[app][study]") 
 TEST_CASE("an interrupted study leaves whole files alone", "[app][study]") {
   const TemporaryFolder folder;
   // SIGINT goes out once the study has written something; it has far more to do.
-  const Outcome outcome = shell(
-      fmt::format("'{}' study all -o '{}' --size 256x256 & pid=$!; for i in $(seq 1200); do "
-                  "[ -e '{}' ] && break; sleep 0.05; done; kill -INT $pid; wait $pid",
-                  RAYCAT_PROGRAM, folder.path().string(), folder / "fig7-original.png"));
+  const Outcome outcome =
+      shell(fmt::format("'{}' study all -o '{}' --size 256x256 & pid=$!; for i in $(seq 1200); do "
+                        "[ -e '{}' ] && break; sleep 0.05; done; kill -INT $pid; wait $pid",
+                        RAYCAT_PROGRAM, folder.path().string(), folder / "fig7-original.png"));
   CHECK(outcome.code == 1);
   CHECK(outcome.err == "raycat: interrupted\n");
   CHECK(!fs::exists(folder.path() / "report.html"));

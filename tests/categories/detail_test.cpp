@@ -1,5 +1,9 @@
 #include "categories/detail.hpp"
 
+#include <array>
+#include <memory>
+#include <string>
+
 #include <catch2/catch.hpp>
 
 namespace raycat {
@@ -68,6 +72,16 @@ TEST_CASE("reducing in steps is reducing at once", "[categories][detail]") {
   reduce(steps, {.levels = 2}, surfaces());
   reduce(steps, {.lights = false}, surfaces());
   CHECK(steps == reduced({.levels = 2, .lights = false}));
+}
+
+TEST_CASE("a node that a path expression keeps for its lights goes with them",
+          "[categories][detail]") {
+  const std::array<std::string, 2> lights{"key", "fill"};
+  const auto paths = std::make_shared<const PathExpression>("C.*L", surfaces(), lights);
+  RayTree lit = reduced({.paths = paths});
+  REQUIRE(lit.size() == 3);               // the root has no light
+  CHECK(lit[0].surface == SurfaceId{9});  // one past the last, for a surface that is not told
+  CHECK(reduced({.lights = false, .paths = paths}).empty());
 }
 
 }  // namespace

@@ -83,10 +83,12 @@ TEST_CASE("a region's colour depends on its category and ordinal alone", "[edges
   CHECK(a.pixels[0] == segment_image(row({{1}, {9}})).pixels[0]);
 }
 
-TEST_CASE("where rays leave the scene every region is white", "[edges][paint]") {
+TEST_CASE("where rays leave the scene the first region is white, others are not",
+          "[edges][paint]") {
   const Image image = regions_painted({{}, {2}, {}, {9}});
   CHECK(image.pixels[0] == white);
-  CHECK(image.pixels[2] == white);
+  CHECK(image.pixels[2] != white);
+  CHECK(image.pixels[2] != image.pixels[1]);
 }
 
 }  // namespace
