@@ -7,30 +7,14 @@
 #include <OpenImageIO/imageio.h>
 #include <catch2/catch.hpp>
 #include <png.h>
-#include <unistd.h>
+
+#include "support/temporary_folder.hpp"
 
 namespace raycat {
 namespace {
 
 namespace fs = std::filesystem;
 using Srgb = std::array<std::uint8_t, 3>;
-
-class Folder {
- public:
-  Folder() {
-    std::string name = fs::temp_directory_path() / "raycat-indexed-XXXXXX";
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(path_), {}); }
-
- private:
-  fs::path path_;
-};
 
 // What a program finds that reads the file's indices.
 struct Found {
@@ -88,7 +72,7 @@ const Provenance from{
     .command = "raycat render s.gltf", .scene = "Łódź.gltf", .legend = "1 object, 2 primitive"};
 
 TEST_CASE("indices, palette and texts come back as they were written", "[io][indexed]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const IndexedImage image{.width = 3, .height = 2, .pixels = {0, 63, 2, 63, 1, 0}};
   write_indexed_png(folder / "a.png", image, greys(64), from);
   const Found found = read(folder / "a.png");
@@ -105,7 +89,7 @@ TEST_CASE("indices, palette and texts come back as they were written", "[io][ind
 }
 
 TEST_CASE("two colours and 256 take a byte a pixel alike", "[io][indexed]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const int colours = GENERATE(2, 256);
   IndexedImage image{.width = 1000, .height = 300};
   for (int i = 0; i < 1000 * 300; ++i) {
@@ -118,10 +102,10 @@ TEST_CASE("two colours and 256 take a byte a pixel alike", "[io][indexed]") {
 }
 
 TEST_CASE("a viewer sees the palette's colours, and where an image is from", "[io][indexed]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_indexed_png(folder / "a.png", {.width = 2, .height = 1, .pixels = {1, 0}},
                     std::vector<Srgb>{{230, 159, 0}, {30, 31, 32}}, from);
-  const auto input = OIIO::ImageInput::open((folder / "a.png").string());
+  const auto input = OIIO::ImageInput::open((folder / "a.png"));
   REQUIRE(input);
   std::vector<std::uint8_t> bytes(6);
   REQUIRE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data()));
@@ -132,7 +116,7 @@ TEST_CASE("a viewer sees the palette's colours, and where an image is from", "[i
 }
 
 TEST_CASE("one image is always the same bytes", "[io][indexed]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const IndexedImage image{.width = 2, .height = 2, .pixels = {0, 1, 1, 0}};
   write_indexed_png(folder / "a.png", image, greys(2), from);
   write_indexed_png(folder / "b.png", image, greys(2), from);
@@ -148,19 +132,18 @@ TEST_CASE("one image is always the same bytes", "[io][indexed]") {
 }
 
 TEST_CASE("what cannot be an indexed image leaves nothing and says why", "[io][indexed]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const IndexedImage image{.width = 1, .height = 1, .pixels = {0}};
   const auto write = [&](const fs::path& path, const IndexedImage& what) {
     write_indexed_png(path, what, greys(2), from);
   };
   CHECK_THROWS_WITH(write(folder / "none/a.png", image),
-                    (folder / "none/a.png").string() + ": cannot write: No such file or directory");
+                    (folder / "none/a.png") + ": cannot write: No such file or directory");
   CHECK_THROWS_WITH(write(folder / "a.exr", image),
-                    (folder / "a.exr").string() + ": indexed images end in .png");
+                    (folder / "a.exr") + ": indexed images end in .png");
   // libpng's own errors come back too.
-  CHECK_THROWS_WITH(
-      write(folder / "a.png", {.width = 0, .height = 0, .pixels = {}}),
-      Catch::StartsWith((folder / "a.png").string() + ": ") && Catch::Contains("IHDR"));
+  CHECK_THROWS_WITH(write(folder / "a.png", {.width = 0, .height = 0, .pixels = {}}),
+                    Catch::StartsWith((folder / "a.png") + ": ") && Catch::Contains("IHDR"));
   CHECK(folder.files() == 0);
   CHECK_THROWS_WITH(write("/dev/full", image), "/dev/full: cannot write: No space left on device");
 }

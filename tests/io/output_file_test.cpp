@@ -5,29 +5,13 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
-#include <unistd.h>
+
+#include "support/temporary_folder.hpp"
 
 namespace raycat {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() {
-    std::string name = fs::temp_directory_path() / "raycat-output-XXXXXX";
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(path_), {}); }
-
- private:
-  fs::path path_;
-};
 
 std::string content(const fs::path& path) {
   std::ostringstream text;
@@ -36,7 +20,7 @@ std::string content(const fs::path& path) {
 }
 
 TEST_CASE("a file is written whole, in place of what was there", "[io][output]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_file(folder / "a", std::string("first"));
   CHECK(content(folder / "a") == "first");
   write_file(folder / "a", std::string("2nd"));
@@ -45,7 +29,7 @@ TEST_CASE("a file is written whole, in place of what was there", "[io][output]")
 }
 
 TEST_CASE("a link is kept and what it names is replaced", "[io][output]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_file(folder / "a", std::string("old"));
   fs::create_symlink(folder / "a", folder / "link");
   write_file(folder / "link", std::string("new"));
@@ -54,14 +38,14 @@ TEST_CASE("a link is kept and what it names is replaced", "[io][output]") {
 }
 
 TEST_CASE("what cannot be written leaves nothing and says why", "[io][output]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   CHECK_THROWS_WITH(write_file(folder / "none/a", std::string("x")),
-                    (folder / "none/a").string() + ": cannot write: No such file or directory");
+                    (folder / "none/a") + ": cannot write: No such file or directory");
   CHECK_THROWS_WITH(write_file("/dev/full", std::string("x")),
                     "/dev/full: cannot write: No space left on device");
   fs::create_directory(folder / "dir");
   CHECK_THROWS_WITH(write_file(folder / "dir", std::string("x")),
-                    (folder / "dir").string() + ": cannot write: Is a directory");
+                    (folder / "dir") + ": cannot write: Is a directory");
   CHECK(folder.files() == 1);
 }
 

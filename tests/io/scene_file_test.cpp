@@ -30,7 +30,7 @@ TEST_CASE("what is no scene file is refused with one line", "[io]") {
   temporary_folder();
   REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
   CHECK_THROWS_WITH(load_scene(fifo), fifo.string() + ": is not a regular file");
-  std::filesystem::remove(fifo);
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("the kind of a file is told by its extension in any case", "[io]") {
