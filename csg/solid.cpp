@@ -8,195 +8,125 @@
 
 #include <glm/geometric.hpp>
 
+#include "csg/set_bounds.hpp"
 #include "geometry/line_clip.hpp"
 
 namespace raycat {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double relative_tolerance = 1e-7;  // of the half diagonal (DESIGN 7)
 
-constexpr Bounds everywhere{.min = glm::dvec3(-std::numeric_limits<double>::infinity()),
-                            .max = glm::dvec3(std::numeric_limits<double>::infinity())};
+// Around where a leaf matters, in tolerances, so that no group reaches from a crossing left out to
+// one that is not.
+constexpr double reach_margin = 4.0;
 
-// The node's own bounds from those of its operands, added in order.
-void extend(Bounds& node, const CsgTree::Node& operand, const Bounds& bounds, Operation operation) {
-  switch (operation) {
-    case Operation::set_union:
-      node.include(bounds);
-      break;
-    case Operation::intersection:
-      node = intersection(node, bounds);
-      break;
-    case Operation::difference:
-      if (!operand.subtracted) {
-        node = bounds;
-      }
-      break;
-  }
-}
+// How far behind its begin `first` looks, in tolerances: where a group begins depends on the one
+// before only while crossings follow each other within a tolerance.
+constexpr double groups_behind = 16.0;
 
-Bounds root_bounds(const CsgTree& tree) {
-  const auto nodes = tree.nodes();
-  std::vector<Bounds> box(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].leaf == CsgTree::no_leaf && nodes[i].operation == Operation::intersection) {
-      box[i] = everywhere;
-    }
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].leaf != CsgTree::no_leaf) {
-      box[i] = tree.leaves()[nodes[i].leaf].shape.bounds();
-    }
-    if (nodes[i].parent != CsgTree::no_parent) {
-      extend(box[nodes[i].parent], nodes[i], box[i], nodes[nodes[i].parent].operation);
-    }
-  }
-  return box.back();
-}
-
-}  // namespace
-
-Solid::Solid(CsgTree tree) : tree_(std::move(tree)) {
-  tree_.require_complete();
-  bounds_ = root_bounds(tree_);
-
-  const auto nodes = tree_.nodes();
-  gates_.resize(nodes.size());
-  leaf_node_.resize(tree_.leaves().size());
-  std::vector<std::uint32_t> operands(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    gates_[i].parent = nodes[i].parent;
-    gates_[i].negated = nodes[i].subtracted;
-    if (nodes[i].parent != CsgTree::no_parent) {
-      ++operands[nodes[i].parent];
-    }
-    if (nodes[i].leaf != CsgTree::no_leaf) {
-      leaf_node_[nodes[i].leaf] = static_cast<std::uint32_t>(i);
-    } else if (nodes[i].operation != Operation::set_union) {
-      gates_[i].threshold = operands[i];
-    }
-  }
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    const Gate& gate = gates_[i];
-    const bool above = gate.parent != CsgTree::no_parent && gates_[gate.parent].subtracted;
-    gates_[i].subtracted = above != gate.negated;
-  }
-  true_inputs_.resize(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Gate& gate = gates_[i];
-    const bool value = true_inputs_[i] >= gate.threshold;
-    if (gate.parent != CsgTree::no_parent && value != gate.negated) {
-      ++true_inputs_[gate.parent];
-    }
-  }
-
+double tolerance_of(const CsgTree& tree) {
   Bounds all;
-  for (const CsgLeaf& leaf : tree_.leaves()) {
+  for (const CsgLeaf& leaf : tree.leaves()) {
     if (leaf.shape.bounds().finite()) {
       all.include(leaf.shape.bounds());
     }
   }
-  tolerance_ = relative_tolerance * (all.empty() ? 1.0 : glm::length(all.half_size()));
+  return relative_tolerance * (all.empty() ? 1.0 : glm::length(all.half_size()));
 }
 
-bool Solid::inside(const Scratch& scratch) const {
-  return scratch.true_inputs_.back() >= gates_.back().threshold;
+CsgTree complete(CsgTree tree) {
+  tree.require_complete();
+  return tree;
 }
 
-// Changes the side the line is on of one leaf, and of every node above that follows. Returns
-// whether the root did.
-bool Solid::toggle(std::uint32_t leaf, Scratch& scratch) const {
-  std::uint32_t node = leaf_node_[leaf];
-  bool value = scratch.true_inputs_[node] == 0;
-  scratch.true_inputs_[node] = value ? 1 : 0;
-  for (;;) {
-    scratch.changed_[node] ^= 1;
-    scratch.touched_.push_back(node);
-    const Gate& gate = gates_[node];
-    if (gate.parent == CsgTree::no_parent) {
-      return true;
+// In what order crossings come: those at one place in the order of the leaves.
+template <typename Event>
+bool before(const Event& a, const Event& b) {
+  return std::tie(a.t, a.leaf, a.crossing) < std::tie(b.t, b.leaf, b.crossing);
+}
+
+// For heaps with the first on top.
+constexpr auto after = [](const auto& a, const auto& b) { return before(b, a); };
+constexpr auto farther = [](const auto& a, const auto& b) { return a.t > b.t; };
+
+}  // namespace
+
+Solid::Solid(CsgTree tree)
+    : tree_(complete(std::move(tree))),
+      tolerance_(tolerance_of(tree_)),
+      bounds_(set_bounds(tree_).back()),
+      paths_(tree_),
+      index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_)) {}
+
+double Solid::group_length(const Ray& ray) const { return tolerance_ / glm::length(ray.direction); }
+
+// Adds the leaf's crossings from `begin` on to the events, and sets the side it is on before.
+void Solid::add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const {
+  const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
+  bool inside = tree_.leaves()[leaf].shape.cross_local(ray, scratch.crossings_);
+  for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
+    const double t = scratch.crossings_[k].t;
+    if (t < begin) {
+      inside = !inside;
+    } else {
+      scratch.events_.push_back({.t = t, .leaf = leaf, .crossing = k});
     }
-    const std::uint32_t threshold = gates_[gate.parent].threshold;
-    std::uint32_t& inputs = scratch.true_inputs_[gate.parent];
-    const bool before = inputs >= threshold;
-    inputs = value != gate.negated ? inputs + 1 : inputs - 1;
-    const bool after = inputs >= threshold;
-    if (before == after) {
-      return false;
-    }
-    node = gate.parent;
-    value = after;
+  }
+  if (inside) {
+    scratch.state_.toggle(leaf);
   }
 }
 
-void Solid::gather(const Ray& ray, const LineClip& clip, Scratch& scratch) const {
-  const auto leaves = tree_.leaves();
-  for (std::uint32_t i = 0; i < leaves.size(); ++i) {
-    const PlacedShape& shape = leaves[i].shape;
-    if (clip(shape.bounds()).empty()) {
-      continue;
+// Passes the events of `group_` from `begin` to `end`, and adds the boundary that they make.
+void Solid::pass_group(Scratch& scratch, std::size_t begin, std::size_t end) const {
+  const std::span events(scratch.group_.data() + begin, end - begin);
+  HeavyPaths::State& state = scratch.state_;
+  const Scratch::Event* best = nullptr;
+  if (events.size() == 1) {  // nearly always; responsible if anything is
+    if (state.toggle(events.front().leaf)) {
+      best = events.data();
     }
-    const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
-    if (shape.cross_local(ray, scratch.crossings_)) {
-      toggle(i, scratch);
+  } else {
+    state.begin_group();
+    bool changed = false;
+    for (const Scratch::Event& event : events) {
+      changed = state.toggle(event.leaf) != changed;
     }
-    for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
-      scratch.events_.push_back({.t = scratch.crossings_[k].t, .leaf = i, .crossing = k});
+    state.end_group();
+    if (!changed) {
+      return;
     }
+    const auto rank = [&](const Scratch::Event& event) {
+      const std::uint32_t face = scratch.crossings_[event.crossing].face;
+      return std::tuple(paths_.subtracted(event.leaf),
+                        static_cast<std::uint32_t>(tree_.leaves()[event.leaf].first_face) + face);
+    };
+    for (const Scratch::Event& event : events) {
+      // A leaf crossed to and fro and to again is met where it goes the way it went on the whole.
+      if (scratch.crossings_[event.crossing].entering == state.leaf_inside(event.leaf) &&
+          state.responsible(event.leaf) && (best == nullptr || rank(event) < rank(*best))) {
+        best = &event;
+      }
+    }
+    assert(best != nullptr);
   }
-  std::ranges::sort(scratch.events_, [](const auto& a, const auto& b) {
-    return std::tie(a.t, a.crossing) < std::tie(b.t, b.crossing);
-  });
-}
-
-void Solid::report_group(std::size_t begin, std::size_t end, Scratch& scratch) const {
-  for (const std::uint32_t node : scratch.touched_) {
-    scratch.changed_[node] = 0;
-  }
-  scratch.touched_.clear();
-  for (std::size_t i = begin; i < end; ++i) {
-    toggle(scratch.events_[i].leaf, scratch);
-  }
-  if (scratch.changed_[gates_.size() - 1] == 0) {
+  if (best == nullptr) {
     return;
   }
-  const auto responsible = [&](std::uint32_t leaf) {
-    std::uint32_t node = leaf_node_[leaf];
-    while (scratch.changed_[node] != 0 && gates_[node].parent != CsgTree::no_parent) {
-      node = gates_[node].parent;
-    }
-    return scratch.changed_[node] != 0;
-  };
-  const auto rank = [&](const Scratch::Event& event) {
-    const std::uint32_t face = scratch.crossings_[event.crossing].face;
-    return std::tuple(gates_[leaf_node_[event.leaf]].subtracted,
-                      static_cast<std::uint32_t>(tree_.leaves()[event.leaf].first_face) + face);
-  };
-  const Scratch::Event* best = nullptr;
-  for (std::size_t i = begin; i < end; ++i) {
-    const Scratch::Event& event = scratch.events_[i];
-    const std::uint32_t node = leaf_node_[event.leaf];
-    // A leaf crossed to and fro and to again is met where it goes the way it went on the whole.
-    const bool entered = scratch.true_inputs_[node] != 0;
-    if (scratch.crossings_[event.crossing].entering == entered && responsible(event.leaf) &&
-        (best == nullptr || rank(event) < rank(*best))) {
-      best = &event;
-    }
-  }
-  assert(best != nullptr);
   const Crossing& crossing = scratch.crossings_[best->crossing];
   scratch.boundaries.push_back({.t = crossing.t,
                                 .leaf = best->leaf,
                                 .face = crossing.face,
-                                .entering = inside(scratch),
-                                .subtracted = gates_[leaf_node_[best->leaf]].subtracted,
+                                .entering = state.inside(),
+                                .subtracted = paths_.subtracted(best->leaf),
                                 .normal = crossing.normal});
 }
 
 bool Solid::cross(const Ray& ray, Scratch& scratch) const {
   scratch.boundaries.clear();
   scratch.crossings_.clear();
-  if (gates_.size() == 1) {
+  if (lone()) {
     const bool starts_inside = tree_.leaves().front().shape.cross_local(ray, scratch.crossings_);
     for (const Crossing& crossing : scratch.crossings_) {
       scratch.boundaries.push_back({.t = crossing.t,
@@ -211,23 +141,89 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
     return false;
   }
   scratch.events_.clear();
-  scratch.touched_.clear();
-  scratch.true_inputs_ = true_inputs_;
-  scratch.changed_.assign(gates_.size(), 0);
-  gather(ray, clip, scratch);
-  const bool starts_inside = inside(scratch);
+  scratch.state_.start(paths_);
+  index_.visit(clip, {}, [&](std::uint32_t leaf, const Interval&) {
+    add_leaf(ray, leaf, -infinity, scratch);
+  });
+  std::ranges::sort(scratch.events_, before<Scratch::Event>);
+  const bool starts_inside = scratch.state_.inside();
 
-  const double group_length = tolerance_ / glm::length(ray.direction);
-  for (std::size_t begin = 0; begin < scratch.events_.size();) {
-    const double last = scratch.events_[begin].t + group_length;
+  const double length = group_length(ray);
+  std::swap(scratch.group_, scratch.events_);
+  const std::vector<Scratch::Event>& events = scratch.group_;
+  for (std::size_t begin = 0; begin < events.size();) {
+    const double last = events[begin].t + length;
     std::size_t end = begin + 1;
-    while (end < scratch.events_.size() && scratch.events_[end].t <= last) {
+    while (end < events.size() && events[end].t <= last) {
       ++end;
     }
-    report_group(begin, end, scratch);
+    pass_group(scratch, begin, end);
     begin = end;
   }
   return starts_inside;
+}
+
+std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
+                                     Scratch& scratch) const {
+  const auto wanted = [&](double t) { return t > begin && t < end; };
+  scratch.boundaries.clear();
+  scratch.crossings_.clear();
+  if (lone()) {
+    tree_.leaves().front().shape.cross_local(ray, scratch.crossings_);
+    for (const Crossing& crossing : scratch.crossings_) {
+      if (wanted(crossing.t)) {
+        return Boundary{.t = crossing.t,
+                        .face = crossing.face,
+                        .entering = crossing.entering,
+                        .normal = crossing.normal};
+      }
+    }
+    return std::nullopt;
+  }
+  const LineClip clip(ray);
+  const double length = group_length(ray);
+  const Interval window{.begin = begin - groups_behind * length, .end = end + 2.0 * length};
+  if (clip(bounds_, window).empty()) {
+    return std::nullopt;
+  }
+  // Leaves are met in the order in which the line comes to their boxes, each no sooner than the
+  // events before it are passed: until then it is outside, or does not matter.
+  std::vector<Scratch::Event>& events = scratch.events_;
+  std::vector<Scratch::Candidate>& candidates = scratch.candidates_;
+  events.clear();
+  candidates.clear();
+  scratch.state_.start(paths_);
+  index_.visit(clip, window, [&](std::uint32_t leaf, const Interval& inside) {
+    candidates.push_back({.t = inside.begin, .leaf = leaf});
+  });
+  std::ranges::make_heap(candidates, farther);
+  for (;;) {
+    while (!candidates.empty() &&
+           (events.empty() || candidates.front().t <= events.front().t + 2.0 * length)) {
+      std::ranges::pop_heap(candidates, farther);
+      const std::size_t known = events.size();
+      add_leaf(ray, candidates.back().leaf, window.begin, scratch);
+      candidates.pop_back();
+      for (std::size_t i = known; i < events.size(); ++i) {
+        std::push_heap(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(i) + 1, after);
+      }
+    }
+    if (events.empty() || events.front().t > window.end) {
+      return std::nullopt;
+    }
+    scratch.group_.clear();
+    const double last = events.front().t + length;
+    while (!events.empty() && events.front().t <= last) {
+      std::ranges::pop_heap(events, after);
+      scratch.group_.push_back(events.back());
+      events.pop_back();
+    }
+    pass_group(scratch, 0, scratch.group_.size());
+    if (!scratch.boundaries.empty() && scratch.boundaries.back().t > begin) {
+      const Boundary& found = scratch.boundaries.back();
+      return wanted(found.t) ? std::optional(found) : std::nullopt;
+    }
+  }
 }
 
 glm::dvec3 Solid::normal(const Boundary& boundary) const noexcept {

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "csg/heavy_paths.hpp"
+#include "csg/leaf_index.hpp"
 #include "csg/tree.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/crossing.hpp"
@@ -10,8 +14,6 @@
 #include "geometry/surface_id.hpp"
 
 namespace raycat {
-
-class LineClip;
 
 /// One passage of a line through the boundary of a solid.
 struct Boundary {
@@ -25,12 +27,13 @@ struct Boundary {
 
 /// The boundary of a CSG tree, for rays. A lone shape is a tree of one leaf.
 ///
-/// Evaluated by events on the whole line (DESIGN 7): the crossings of all leaves are sorted and
-/// those within `tolerance` of a group's first are taken as one point; the leaves they belong to
-/// change sides, the change goes up the tree, and where the root changes a boundary is
-/// reported. Coincident faces therefore leave no skin. Of the leaves in a group, those are
-/// responsible that changed across the group together with all their ancestors; the boundary is
-/// the one with the least (is subtracted, surface id) among them, whatever the operands' order.
+/// Evaluated by events on the whole line (DESIGN 7): the crossings of all leaves that the line
+/// comes by where they matter are sorted and those within `tolerance` of a group's first are taken
+/// as one point; the leaves they belong to change sides, the change goes up the tree, and where the
+/// root changes a boundary is reported. Coincident faces therefore leave no skin. Of the leaves in
+/// a group, those are responsible that changed across the group together with all their ancestors;
+/// the boundary is the one with the least (is subtracted, surface id) among them, whatever the
+/// operands' order.
 class Solid {
  public:
   /// Buffers that a thread reuses from ray to ray, for any solids.
@@ -44,6 +47,11 @@ class Solid {
   /// ascending t, entering and leaving in turn. Returns whether the line is inside at
   /// t -> -infinity.
   bool cross(const Ray& ray, Scratch& scratch) const;
+
+  /// The first passage past `begin` and before `end`, if there is one: that of `cross`, for less.
+  /// Leaves that the line meets only behind `begin` or past the passage are not looked at.
+  /// `scratch.boundaries` is left with anything.
+  std::optional<Boundary> first(const Ray& ray, double begin, double end, Scratch& scratch) const;
 
   /// The unit normal in the world, out of the final solid: a subtracted surface's is flipped.
   glm::dvec3 normal(const Boundary& boundary) const noexcept;
@@ -60,25 +68,16 @@ class Solid {
   const CsgTree& tree() const noexcept { return tree_; }
 
  private:
-  // A node as a threshold gate: it is true when at least `threshold` of its inputs are.
-  struct Gate {
-    std::uint32_t parent = CsgTree::no_parent;
-    std::uint32_t threshold = 1;
-    bool negated = false;     // counts for its parent where it is false
-    bool subtracted = false;  // an odd number of negations up to the root
-  };
-
-  void gather(const Ray& ray, const LineClip& clip, Scratch& scratch) const;
-  bool toggle(std::uint32_t leaf, Scratch& scratch) const;
-  void report_group(std::size_t begin, std::size_t end, Scratch& scratch) const;
-  bool inside(const Scratch& scratch) const;
+  bool lone() const noexcept { return tree_.leaves().size() == 1 && tree_.nodes().size() == 1; }
+  double group_length(const Ray& ray) const;
+  void add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const;
+  void pass_group(Scratch& scratch, std::size_t begin, std::size_t end) const;
 
   CsgTree tree_;
   double tolerance_ = 0.0;  // in scene units
   Bounds bounds_;
-  std::vector<Gate> gates_;  // one a node
-  std::vector<std::uint32_t> leaf_node_;
-  std::vector<std::uint32_t> true_inputs_;  // of each node while every leaf is false
+  HeavyPaths paths_;
+  LeafIndex index_;
 };
 
 struct Solid::Scratch {
@@ -92,12 +91,16 @@ struct Solid::Scratch {
     std::uint32_t leaf = 0;
     std::uint32_t crossing = 0;
   };
+  struct Candidate {
+    double t = 0.0;  // where the line comes to the leaf's box
+    std::uint32_t leaf = 0;
+  };
 
   Crossings crossings_;
   std::vector<Event> events_;
-  std::vector<std::uint32_t> true_inputs_;  // of each node at this point of the line
-  std::vector<std::uint8_t> changed_;       // did the node change across the group?
-  std::vector<std::uint32_t> touched_;      // nodes whose `changed` has been written
+  std::vector<Event> group_;
+  std::vector<Candidate> candidates_;
+  HeavyPaths::State state_;
 };
 
 }  // namespace raycat

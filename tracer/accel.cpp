@@ -67,20 +67,11 @@ struct Query {
 
 Query& query_of(RTCIntersectContext* context) { return *reinterpret_cast<Query*>(context); }
 
-const Boundary* first_after(const Solid::Scratch& scratch, double t) {
-  for (const Boundary& boundary : scratch.boundaries) {
-    if (boundary.t > t) {
-      return &boundary;
-    }
-  }
-  return nullptr;
-}
-
 // Keeps the solid's first boundary if it is closer than `query.t_end`, and tells whether it is.
 bool try_closest(const SolidObject& object, Query& query) {
-  object.solid.cross(*query.ray, *query.scratch);
-  const Boundary* boundary = first_after(*query.scratch, 0.0);
-  if (boundary == nullptr || boundary->t >= query.t_end) {
+  const std::optional<Boundary> boundary =
+      object.solid.first(*query.ray, 0.0, query.t_end, *query.scratch);
+  if (!boundary) {
     return false;
   }
   query.solid = &object;
@@ -89,14 +80,26 @@ bool try_closest(const SolidObject& object, Query& query) {
   return true;
 }
 
+glm::vec3 transmission_of(const Scene& scene, MaterialId material) {
+  return transmission(scene.materials[static_cast<std::size_t>(material)], glm::vec4(1.0f));
+}
+
 // Weakens the light by the solid's boundaries before `query.t_end`; false if none is left.
 bool let_through(const SolidObject& object, const Scene& scene, Query& query) {
+  // An opaque solid's first boundary decides, and one that lets light through needs them all.
+  const std::optional<Boundary> met =
+      object.solid.first(*query.ray, 0.0, query.t_end, *query.scratch);
+  if (!met) {
+    return true;
+  }
+  if (transmission_of(scene, object.materials[met->leaf]) == glm::vec3(0.0f)) {
+    query.light = glm::vec3(0.0f);
+    return false;
+  }
   object.solid.cross(*query.ray, *query.scratch);
   for (const Boundary& boundary : query.scratch->boundaries) {
     if (boundary.t > 0.0 && boundary.t < query.t_end) {
-      const MaterialId material = object.materials[boundary.leaf];
-      query.light *=
-          transmission(scene.materials[static_cast<std::size_t>(material)], glm::vec4(1.0f));
+      query.light *= transmission_of(scene, object.materials[boundary.leaf]);
     }
   }
   return query.light != glm::vec3(0.0f);
