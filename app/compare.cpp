@@ -66,8 +66,7 @@ void print_table(const MethodTable& table) {
 void compare(const CompareOptions& options) {
   const ImageSize size = parse_size(options.view.size);
   SceneFile file = load(options.common);
-  const Camera camera = choose_camera(file, options.view, size);
-  add_default_lights(file.scene, camera);
+  const Camera camera = lit_view(file, options.view, size);
   if (!options.common.quiet) {
     warn(file.warnings);
   }

@@ -1,7 +1,6 @@
 #include "app/comparison.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include "categories/exact_number.hpp"
@@ -15,17 +14,6 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
-}
-
-// Pixels of the categories that `is` says of.
-std::uint64_t count_pixels(const CategoryImage& image,
-                           const std::function<bool(std::span<const std::uint32_t>)>& is) {
-  const std::vector<std::uint64_t> pixels = pixels_per_category(image);
-  std::uint64_t count = 0;
-  for (std::size_t id = 0; id < pixels.size(); ++id) {
-    count += is(image.table.words(CategoryId{static_cast<std::uint32_t>(id)})) ? pixels[id] : 0;
-  }
-  return count;
 }
 
 std::uint64_t pixels_past(const Encoder& encoder, std::size_t bits, const CategoryImage& image,

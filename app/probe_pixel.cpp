@@ -176,8 +176,7 @@ Json to_json(const Codes& codes) {
 void probe_pixel(const ProbeOptions& options, SceneFile& file) {
   const ImageSize size = parse_size(options.view.size);
   const Pixel pixel = parse_pixel(options.pixel, size);
-  const Camera camera = choose_camera(file, options.view, size);
-  add_default_lights(file.scene, camera);
+  const Camera camera = lit_view(file, options.view, size);
   const Scene& scene = file.scene;
   const Detail detail = detail_for(options.detail, scene);
   const Accel accel(scene);

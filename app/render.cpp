@@ -106,8 +106,7 @@ void render(const RenderOptions& options, const CLI::App& command) {
   Stopwatch watch;
   Seconds seconds;
   SceneFile file = load(options.common);
-  const Camera camera = choose_camera(file, options.view, size);
-  add_default_lights(file.scene, camera);
+  const Camera camera = lit_view(file, options.view, size);
   RenderSettings settings = settings_of(options, size, file.scene);
   seconds.load = watch.lap();
   if (!options.common.quiet) {

@@ -12,14 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::uint64_t overflowed_pixels(const Rendering& rendering) {
-  const CategoryImage& image = rendering.categories;
-  const std::vector<std::uint64_t> pixels = pixels_per_category(image);
-  std::uint64_t count = 0;
-  for (std::size_t id = 0; id < pixels.size(); ++id) {
-    const auto words = image.table.words(CategoryId{static_cast<std::uint32_t>(id)});
-    count += overflowed(rendering.encoder, words) ? pixels[id] : 0;
-  }
-  return count;
+  return count_pixels(rendering.categories,
+                      [&](auto words) { return overflowed(rendering.encoder, words); });
 }
 
 Json categories_of(const RenderOptions& options, const Rendering& rendering) {

@@ -27,12 +27,6 @@ SceneFile load(const StudySettings& settings, const std::string& name) {
   return file;
 }
 
-Camera lit_view(SceneFile& file, const ImageSize& size) {
-  const Camera camera = choose_camera(file, {}, size);
-  add_default_lights(file.scene, camera);
-  return camera;
-}
-
 }  // namespace
 
 fs::path study_file(const StudySettings& settings, const std::string& name) {
@@ -43,7 +37,7 @@ StudyScene::StudyScene(const StudySettings& settings, const std::string& name,
                        const ImageSize& size)
     : label(settings.scene.empty() ? name + ".gltf" : settings.scene),
       file(load(settings, name)),
-      camera(lit_view(file, size)),
+      camera(lit_view(file, {}, size)),
       accel(file.scene) {}
 
 Rendering trace(const StudySettings& settings, const StudyScene& scene, const ImageSize& size,

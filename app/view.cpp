@@ -92,6 +92,39 @@ const Camera& named_camera(const SceneFile& file, const std::string& wanted) {
                                names.empty() ? "none" : names));
 }
 
+Camera choose_camera(const SceneFile& file, const ViewOptions& options, const ImageSize& size) {
+  const Bounds box = bounds(file.scene);
+  if (!options.view.empty()) {
+    const auto [camera, distance] = parse_view(options.view, file.up);
+    return options.orthographic ? orthographic(camera, distance) : camera;
+  }
+  if (options.camera.empty() && file.scene.cameras.empty()) {
+    return frame(box, file.up, static_cast<double>(size.width) / size.height, options.orthographic);
+  }
+  const Camera& camera =
+      options.camera.empty() ? file.scene.cameras.front() : named_camera(file, options.camera);
+  return options.orthographic
+             ? orthographic(camera, box.empty() ? 1.0 : glm::distance(camera.eye, box.center()))
+             : camera;
+}
+
+// For scenes that have none.
+void add_default_lights(Scene& scene, const Camera& camera) {
+  if (!scene.lights.empty()) {
+    return;
+  }
+  const auto shining = [](std::string name, const glm::dvec3& direction, float strength) {
+    return Light{.name = std::move(name),
+                 .kind = Light::Kind::directional,
+                 .direction = glm::normalize(direction),
+                 .diffuse = glm::vec3(strength),
+                 .specular = glm::vec3(strength)};
+  };
+  scene.lights.push_back(shining("headlight", camera.forward, 0.45f));
+  scene.lights.push_back(
+      shining("key light", camera.forward + 0.6 * camera.right - 0.9 * camera.up, 0.55f));
+}
+
 }  // namespace
 
 void add_view(CLI::App& command, ViewOptions& options) {
@@ -132,36 +165,10 @@ ImageSize parse_size(const std::string& text) {
   return {.width = *width, .height = *height};
 }
 
-Camera choose_camera(const SceneFile& file, const ViewOptions& options, const ImageSize& size) {
-  const Bounds box = bounds(file.scene);
-  if (!options.view.empty()) {
-    const auto [camera, distance] = parse_view(options.view, file.up);
-    return options.orthographic ? orthographic(camera, distance) : camera;
-  }
-  if (options.camera.empty() && file.scene.cameras.empty()) {
-    return frame(box, file.up, static_cast<double>(size.width) / size.height, options.orthographic);
-  }
-  const Camera& camera =
-      options.camera.empty() ? file.scene.cameras.front() : named_camera(file, options.camera);
-  return options.orthographic
-             ? orthographic(camera, box.empty() ? 1.0 : glm::distance(camera.eye, box.center()))
-             : camera;
-}
-
-void add_default_lights(Scene& scene, const Camera& camera) {
-  if (!scene.lights.empty()) {
-    return;
-  }
-  const auto shining = [](std::string name, const glm::dvec3& direction, float strength) {
-    return Light{.name = std::move(name),
-                 .kind = Light::Kind::directional,
-                 .direction = glm::normalize(direction),
-                 .diffuse = glm::vec3(strength),
-                 .specular = glm::vec3(strength)};
-  };
-  scene.lights.push_back(shining("headlight", camera.forward, 0.45f));
-  scene.lights.push_back(
-      shining("key light", camera.forward + 0.6 * camera.right - 0.9 * camera.up, 0.55f));
+Camera lit_view(SceneFile& file, const ViewOptions& options, const ImageSize& size) {
+  const Camera camera = choose_camera(file, options, size);
+  add_default_lights(file.scene, camera);
+  return camera;
 }
 
 }  // namespace raycat::app

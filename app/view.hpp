@@ -32,11 +32,9 @@ inline constexpr long long most_pixels = 1LL << 28;
 /// Throws `UsageError` unless `text` is WxH with 1 to 65536 pixels a side and at most 2^28.
 ImageSize parse_size(const std::string& text);
 
-/// The camera that the options ask for, else the file's first, else one that frames the scene.
-/// Throws `UsageError` for a camera that is not there, or a view that cannot be read.
-Camera choose_camera(const SceneFile& file, const ViewOptions& options, const ImageSize& size);
-
-/// Gives a scene without lights a headlight and a key light for `camera`.
-void add_default_lights(Scene& scene, const Camera& camera);
+/// The camera that the options ask for, else the file's first, else one that frames the scene. A
+/// scene without lights is given a headlight and a key light that go with it. Throws `UsageError`
+/// for a camera that is not there, or a view that cannot be read.
+Camera lit_view(SceneFile& file, const ViewOptions& options, const ImageSize& size);
 
 }  // namespace raycat::app

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "categories/category_table.hpp"
@@ -19,9 +21,15 @@ struct CategoryImage {
   /// 1 for each sample whose ray met a textured surface (Section 4.2). Empty if none can.
   std::vector<std::uint8_t> textured;
 
-  CategoryId at(int x, int y) const {
-    return samples[static_cast<std::size_t>(y) * (static_cast<std::size_t>(width) + 1) +
-                   static_cast<std::size_t>(x)];
+  std::size_t index(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y) * (static_cast<std::size_t>(width) + 1) +
+           static_cast<std::size_t>(x);
+  }
+  CategoryId at(int x, int y) const { return samples[index(x, y)]; }
+
+  /// The samples of pixel (x, y)'s square: left to right, top to bottom.
+  std::array<CategoryId, 4> square(int x, int y) const {
+    return {at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)};
   }
 
   std::size_t bytes() const noexcept {
@@ -31,6 +39,17 @@ struct CategoryImage {
 
 /// How many pixels have each category, by number: the sizes of the equivalence classes.
 std::vector<std::uint64_t> pixels_per_category(const CategoryImage& image);
+
+/// How many pixels have a category of whose words `is` is true; it is asked once a category.
+template <typename Is>
+std::uint64_t count_pixels(const CategoryImage& image, const Is& is) {
+  const std::vector<std::uint64_t> pixels = pixels_per_category(image);
+  std::uint64_t count = 0;
+  for (std::size_t id = 0; id < pixels.size(); ++id) {
+    count += is(image.table.words(CategoryId{static_cast<std::uint32_t>(id)})) ? pixels[id] : 0;
+  }
+  return count;
+}
 
 /// Pixels whose ray met a textured surface.
 std::uint64_t textured_pixels(const CategoryImage& image);

@@ -13,11 +13,7 @@ EdgeMap detect_edges(const CategoryImage& categories) {
   map.pixels.reserve(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
-      const CategoryId here = categories.at(x, y);
-      map.pixels.push_back(here != categories.at(x + 1, y) || here != categories.at(x, y + 1) ||
-                                   here != categories.at(x + 1, y + 1)
-                               ? 1
-                               : 0);
+      map.pixels.push_back(is_edge(categories.square(x, y)) ? 1 : 0);
     }
   }
   return map;
@@ -25,14 +21,10 @@ EdgeMap detect_edges(const CategoryImage& categories) {
 
 EdgeMap selected_pixels(const EdgeMap& edges, const CategoryImage& categories) {
   EdgeMap selected(edges);
-  if (categories.textured.empty()) {
-    return selected;
-  }
-  const auto columns = static_cast<std::size_t>(categories.width) + 1;
   std::size_t pixel = 0;
-  for (std::size_t y = 0; y < static_cast<std::size_t>(edges.height); ++y) {
-    for (std::size_t x = 0; x < static_cast<std::size_t>(edges.width); ++x, ++pixel) {
-      selected.pixels[pixel] |= categories.textured[y * columns + x];
+  for (int y = 0; y < edges.height && !categories.textured.empty(); ++y) {
+    for (int x = 0; x < edges.width; ++x, ++pixel) {
+      selected.pixels[pixel] |= categories.textured[categories.index(x, y)];
     }
   }
   return selected;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,11 @@ struct EdgeMap {
   }
   std::size_t count() const;
 };
+
+/// Are the samples of a square not all of one category?
+constexpr bool is_edge(const std::array<CategoryId, 4>& corners) noexcept {
+  return corners[0] != corners[1] || corners[0] != corners[2] || corners[0] != corners[3];
+}
 
 /// A pixel is on an edge when its four samples are not all of one category (Section 3, Fig. 6a).
 /// The sample of a pixel is compared with its three neighbours, and since these are compared

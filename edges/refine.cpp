@@ -24,10 +24,6 @@ struct Square {
   std::array<CategoryId, 4> corners;  // left to right, top to bottom
 };
 
-bool is_edge(const std::array<CategoryId, 4>& corners) {
-  return corners[0] != corners[1] || corners[0] != corners[2] || corners[0] != corners[3];
-}
-
 // The middles of the sides and of the whole, on the lattice of the next level.
 std::array<Point, 5> new_points(const Square& square) {
   const std::uint64_t x = 2 * std::uint64_t{square.x};
@@ -40,8 +36,7 @@ std::vector<Square> edge_pixels(const CategoryImage& image) {
   std::vector<Square> squares;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const std::array corners{image.at(x, y), image.at(x + 1, y), image.at(x, y + 1),
-                               image.at(x + 1, y + 1)};
+      const std::array corners = image.square(x, y);
       if (is_edge(corners)) {
         squares.push_back({.x = static_cast<std::uint32_t>(x),
                            .y = static_cast<std::uint32_t>(y),

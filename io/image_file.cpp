@@ -11,6 +11,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "tracer/srgb.hpp"
 
@@ -21,10 +22,7 @@ namespace fs = std::filesystem;
 
 // The name of OpenImageIO's format for a path; empty if there is none.
 std::string_view format_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
+  const std::string extension = lower_extension(path);
   if (extension == ".png") {
     return "png";
   }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include "io/input_file.hpp"
 #include "io/output_file.hpp"
 
 namespace raycat {
@@ -120,12 +121,8 @@ std::vector<std::pair<std::string, std::string>> keyed(const Provenance& provena
 }  // namespace
 
 void require_indexed_path(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
   std::error_code ignored;
-  if (extension != ".png" && !fs::is_character_file(path, ignored)) {
+  if (lower_extension(path) != ".png" && !fs::is_character_file(path, ignored)) {
     throw std::invalid_argument(fmt::format("{}: indexed images end in .png", path.string()));
   }
 }

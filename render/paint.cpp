@@ -70,12 +70,7 @@ Image overlay_image(const Image& picture, const EdgeMap& edges) {
   return image;
 }
 
-Image segment_image(const CategoryImage& categories) {
-  std::vector<glm::vec3> colours;
-  for (std::size_t id = 0; id < categories.table.size(); ++id) {
-    const auto words = categories.table.words(CategoryId{static_cast<std::uint32_t>(id)});
-    colours.push_back(words.empty() ? white : colour_of(hash_words(words)));
-  }
+Image painted(const CategoryImage& categories, const std::vector<glm::vec3>& colours) {
   Image image(categories.width, categories.height);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -83,6 +78,15 @@ Image segment_image(const CategoryImage& categories) {
     }
   }
   return image;
+}
+
+Image segment_image(const CategoryImage& categories) {
+  std::vector<glm::vec3> colours;
+  for (std::size_t id = 0; id < categories.table.size(); ++id) {
+    const auto words = categories.table.words(CategoryId{static_cast<std::uint32_t>(id)});
+    colours.push_back(words.empty() ? white : colour_of(hash_words(words)));
+  }
+  return painted(categories, colours);
 }
 
 Image region_image(const CategoryImage& categories, const Regions& regions) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include <glm/vec3.hpp>
+
 #include "categories/category_image.hpp"
 #include "edges/edge_map.hpp"
 #include "edges/regions.hpp"
@@ -15,6 +19,9 @@ Image line_image(const EdgeMap& edges);
 
 /// `picture` with its edge pixels painted black, as in Figs. 9 and 10.
 Image overlay_image(const Image& picture, const EdgeMap& edges);
+
+/// Each pixel in the colour of its sample's category, `colours` being by number, linear RGB.
+Image painted(const CategoryImage& categories, const std::vector<glm::vec3>& colours);
 
 /// Each pixel in the colour of its sample's category (Fig. 7f). The colour is a hash of the
 /// category itself, so a category keeps it from view to view of one scene; where the ray leaves

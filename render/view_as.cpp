@@ -85,16 +85,6 @@ int number(const Measure& of, View view) {
   return view == View::depth ? of.depth : view == View::nodes ? of.nodes : of.lights;
 }
 
-Image painted(const CategoryImage& categories, const std::vector<glm::vec3>& colours) {
-  Image image(categories.width, categories.height);
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      image.pixels[image.index(x, y)] = colours[static_cast<std::size_t>(categories.at(x, y))];
-    }
-  }
-  return image;
-}
-
 }  // namespace
 
 std::string_view name(View view) {
