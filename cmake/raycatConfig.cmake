@@ -1,17 +1,19 @@
 # find_package(raycat) gives all libraries, and find_package(raycat COMPONENTS edges) those that
 # are named and those they use. Packages that only the others need are not looked for.
-set(_raycat_libraries surfaces geometry csg tracer categories edges render io)
+set(_raycat_libraries surfaces geometry csg modelling tracer categories edges render io)
 
 set(_raycat_geometry_uses surfaces)
 set(_raycat_csg_uses geometry)
+set(_raycat_modelling_uses csg)
 set(_raycat_tracer_uses csg)
 set(_raycat_categories_uses surfaces)
 set(_raycat_edges_uses categories)
 set(_raycat_render_uses edges tracer)
-set(_raycat_io_uses tracer)
+set(_raycat_io_uses modelling tracer)
 
 set(_raycat_surfaces_packages fmt)
 set(_raycat_geometry_packages embree glm)
+set(_raycat_modelling_packages CGAL)
 set(_raycat_tracer_packages Threads)
 set(_raycat_edges_packages glm)
 set(_raycat_io_packages nlohmann_json OpenMesh OpenImageIO PNG TinyGLTF)
