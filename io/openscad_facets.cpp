@@ -1,51 +1,15 @@
 #include "io/openscad_facets.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-
-#include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 
 namespace raycat::openscad {
-
 namespace {
-
-constexpr std::uint32_t most_corners = 1'000'000;
-
-// Cosine and sine of degrees in [0, 360], exact where they are rational or roots that OpenSCAD
-// knows, and symmetric between the octants: corners of one circle that mirror each other in the
-// plane do so to the last bit.
-glm::dvec2 unit(double degrees) {
-  if (degrees > 180.0) {
-    const glm::dvec2 mirrored = unit(360.0 - degrees);
-    return {mirrored.x, -mirrored.y};
-  }
-  if (degrees > 90.0) {
-    const glm::dvec2 mirrored = unit(180.0 - degrees);
-    return {-mirrored.x, mirrored.y};
-  }
-  if (degrees > 45.0) {
-    const glm::dvec2 mirrored = unit(90.0 - degrees);
-    return {mirrored.y, mirrored.x};
-  }
-  if (degrees == 45.0) {
-    return glm::dvec2(0.5 * std::numbers::sqrt2);
-  }
-  if (degrees == 30.0) {
-    return {0.5 * std::numbers::sqrt3, 0.5};
-  }
-  const double radians = glm::radians(degrees);
-  return {std::cos(radians), std::sin(radians)};
-}
 
 // Appends a circle's corners and returns the number of the first.
 std::uint32_t add_circle(Facets& facets, double radius, double z, std::uint32_t count) {
   const auto first = static_cast<std::uint32_t>(facets.points.size());
   for (std::uint32_t i = 0; i < count; ++i) {
-    const glm::dvec2 corner = radius * unit(360.0 * i / count);
+    const glm::dvec2 corner = radius * unit_vector(360.0 * i / count);
     facets.points.emplace_back(corner, z);
   }
   return first;
@@ -74,23 +38,6 @@ void add_band(Facets& facets, std::uint32_t lower, std::uint32_t upper, std::uin
 
 }  // namespace
 
-std::uint32_t facet_count(double radius, const FacetRule& rule) {
-  constexpr double grid = 1.0 / (1 << 20);  // OpenSCAD's, on which smaller circles vanish
-  if (radius < grid) {
-    return 3;
-  }
-  constexpr double least = 0.01;
-  const double by_angle = 360.0 / std::max(rule.angle, least);
-  const double by_size = 2.0 * std::numbers::pi * radius / std::max(rule.size, least);
-  const double count = std::ceil(rule.number > 0.0 ? std::max(rule.number, 3.0)
-                                                   : std::max(std::min(by_angle, by_size), 5.0));
-  if (!(count <= most_corners)) {
-    throw std::length_error(
-        fmt::format("circles have at most {} corners, but this has {:g}", most_corners, count));
-  }
-  return static_cast<std::uint32_t>(count);
-}
-
 std::uint64_t sphere_triangles(std::uint32_t count) {
   return std::uint64_t{count} * ((std::uint64_t{count} + 1) / 2) * 2;
 }
@@ -102,7 +49,7 @@ Facets facet_sphere(double radius, std::uint32_t count) {
   const std::uint32_t rings = (count + 1) / 2;
   std::uint32_t upper = 0;
   for (std::uint32_t ring = 0; ring < rings; ++ring) {
-    const glm::dvec2 pole = radius * unit(180.0 * (ring + 0.5) / rings);
+    const glm::dvec2 pole = radius * unit_vector(180.0 * (ring + 0.5) / rings);
     const std::uint32_t lower = add_circle(facets, pole.y, pole.x, count);
     if (ring == 0) {
       add_cap(facets, lower, count, true, 0);

@@ -5,14 +5,9 @@
 
 #include <glm/vec3.hpp>
 
-namespace raycat::openscad {
+#include "modelling/facet_rule.hpp"
 
-/// $fn, $fa (degrees) and $fs: into how many facets circles are divided.
-struct FacetRule {
-  double number = 0.0;
-  double angle = 12.0;
-  double size = 2.0;
-};
+namespace raycat::openscad {
 
 /// Polygons counter-clockwise from outside, and the surface that each is a facet of.
 struct Facets {
@@ -20,9 +15,6 @@ struct Facets {
   std::vector<std::vector<std::uint32_t>> polygons;
   std::vector<std::uint32_t> surface;
 };
-
-/// The corners of a circle. Throws `std::length_error` past a million.
-std::uint32_t facet_count(double radius, const FacetRule& rule);
 
 /// How many triangles `facet_sphere` and `facet_cylinder` give at most for this count.
 std::uint64_t sphere_triangles(std::uint32_t count);

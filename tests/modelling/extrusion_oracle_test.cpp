@@ -1,0 +1,86 @@
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "modelling/extrusion.hpp"
+#include "tests/modelling/openscad_oracle.hpp"
+
+namespace raycat {
+namespace {
+
+struct Outline {
+  std::string csg;
+  Polygons polygons;
+};
+
+Contour rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+std::vector<Outline> outlines() {
+  const Contour triangle{{1, 0}, {5, 1}, {2, 4}};
+  const Contour ring{{-3, -3}, {4, -3}, {4, 4}, {-3, 4}};
+  const Contour hole{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
+  const Contour arrow{{0, 0}, {6, -2}, {2, 0}, {6, 2}};
+  return {
+      {"square(size=[10,10],center=false);", {{rectangle(0, 0, 10, 10)}}},
+      {"square(size=[4,6],center=true);", {{rectangle(-2, -3, 2, 3)}}},
+      {"polygon(points=[[1,0],[5,1],[2,4]],paths=undef,convexity=1);", {{triangle}}},
+      {"polygon(points=[[0,0],[6,-2],[2,0],[6,2]],paths=undef,convexity=1);", {{arrow}}},
+      {"difference(){polygon(points=[[-3,-3],[4,-3],[4,4],[-3,4]],paths=undef,convexity=1);"
+       "square(size=[2,2],center=true);}",
+       {{ring, hole}}},
+  };
+}
+
+TEST_CASE("linear extrusions are OpenSCAD's", "[modelling][extrusion][openscad]") {
+  if (!openscad_is_installed()) {
+    return;
+  }
+  struct Case {
+    double twist;
+    glm::dvec2 scale;
+    FacetRule rule;
+    std::uint32_t slices;
+  };
+  std::vector<Case> cases;
+  for (const double twist : {0.0, 20.0, 90.0, -90.0, 400.0, -250.0}) {
+    for (const glm::dvec2 scale :
+         {glm::dvec2(1, 1), glm::dvec2(2, 2), glm::dvec2(0.5, 0.5), glm::dvec2(1, 2),
+          glm::dvec2(2, 0.5), glm::dvec2(0, 1), glm::dvec2(0, 0)}) {
+      cases.push_back({twist, scale, {}, 0});
+      cases.push_back({twist, scale, {.number = 7}, 0});
+      cases.push_back({twist, scale, {.angle = 7, .size = 1.3}, 0});
+      cases.push_back({twist, scale, {}, 5});
+    }
+  }
+  int bad = 0;
+  for (const Outline& outline : outlines()) {
+    for (const Case& c : cases) {
+      LinearExtrusion extrusion{.height = 7.0, .twist = c.twist, .scale = c.scale};
+      extrusion.slices =
+          c.slices > 0 ? c.slices : default_slices(outline.polygons, extrusion, c.rule);
+      const std::string csg = fmt::format(
+          "linear_extrude(height=7,center=false,twist={},scale=[{},{}],{}$fn={},$fa={},$fs={}){{{}}"
+          "}",
+          c.twist, c.scale.x, c.scale.y, c.slices > 0 ? fmt::format("slices={},", c.slices) : "",
+          c.rule.number, c.rule.angle, c.rule.size, outline.csg);
+      INFO(csg);
+      const TriangleMesh mesh = linear_extrusion(outline.polygons, extrusion);
+      const TriangleMesh reference = openscad_mesh(csg);
+      const double scale = volume(reference);
+      if (std::abs(volume(mesh) - scale) > 1e-5 * std::abs(scale)) {
+        ++bad;
+        fmt::print("{}\n  {} against {}, {} triangles against {}\n", csg, volume(mesh), scale,
+                   mesh.triangles.size(), reference.triangles.size());
+      }
+    }
+  }
+  CHECK(bad == 0);
+}
+
+}  // namespace
+}  // namespace raycat
