@@ -1,0 +1,225 @@
+#include "modelling/arrangement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include "modelling/touching_triangles.hpp"
+
+namespace raycat {
+namespace {
+
+constexpr std::uint32_t unnumbered = ~std::uint32_t{0};
+
+// Knows each point by one number, however it came about.
+class PointNumbers {
+ public:
+  explicit PointNumbers(std::vector<Exact::Point_3>& points) : points_(points) {}
+
+  std::uint32_t operator()(const Exact::Point_3& point) {
+    const auto [found, is_new] =
+        numbers_.try_emplace(point, static_cast<std::uint32_t>(points_.size()));
+    if (is_new) {
+      points_.push_back(point);
+    }
+    return found->second;
+  }
+
+ private:
+  std::vector<Exact::Point_3>& points_;
+  std::map<Exact::Point_3, std::uint32_t> numbers_;
+};
+
+// What is drawn on a triangle: points, and segments between them.
+struct Drawing {
+  std::vector<std::uint32_t> points;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> segments;
+};
+
+// Adds what two triangles have in common.
+struct Common {
+  PointNumbers& number;
+  Drawing& a;
+  Drawing& b;
+
+  void operator()(const Exact::Point_3& point) const {
+    const std::uint32_t id = number(point);
+    a.points.push_back(id);
+    b.points.push_back(id);
+  }
+  void operator()(const Exact::Segment_3& segment) const {
+    add(number(segment.source()), number(segment.target()));
+  }
+  void operator()(const Exact::Triangle_3& triangle) const {
+    add_polygon(std::array{triangle[0], triangle[1], triangle[2]});
+  }
+  void operator()(const std::vector<Exact::Point_3>& polygon) const { add_polygon(polygon); }
+
+ private:
+  void add(std::uint32_t from, std::uint32_t to) const {
+    a.segments.emplace_back(from, to);
+    b.segments.emplace_back(from, to);
+  }
+  void add_polygon(std::span<const Exact::Point_3> polygon) const {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      add(number(polygon[i]), number(polygon[(i + 1) % polygon.size()]));
+    }
+  }
+};
+
+// The triangle's plane, seen along the axis that it faces most.
+class Plane {
+ public:
+  Plane(const Exact::Point_3& a, const Exact::Point_3& b, const Exact::Point_3& c) : origin_(a) {
+    const Exact::Vector_3 normal = CGAL::cross_product(b - a, c - a);
+    for (int axis = 0; axis < 3; ++axis) {
+      normal_[static_cast<std::size_t>(axis)] = normal[axis];
+      if (CGAL::abs(normal[axis]) > CGAL::abs(normal[axis_])) {
+        axis_ = axis;
+      }
+    }
+  }
+
+  // Does the triangle run the other way when seen so?
+  bool turned() const { return CGAL::is_negative(normal_[at(axis_)]); }
+
+  Exact::Point_2 flat(const Exact::Point_3& p) const {
+    return {p[(axis_ + 1) % 3], p[(axis_ + 2) % 3]};
+  }
+
+  Exact::Point_3 raised(const Exact::Point_2& p) const {
+    const int u = (axis_ + 1) % 3;
+    const int v = (axis_ + 2) % 3;
+    std::array<Exact::FT, 3> out;
+    out[at(u)] = p.x();
+    out[at(v)] = p.y();
+    out[at(axis_)] = origin_[axis_] - (normal_[at(u)] * (p.x() - origin_[u]) +
+                                       normal_[at(v)] * (p.y() - origin_[v])) /
+                                          normal_[at(axis_)];
+    return {out[0], out[1], out[2]};
+  }
+
+ private:
+  static std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
+
+  Exact::Point_3 origin_;
+  std::array<Exact::FT, 3> normal_;
+  int axis_ = 0;
+};
+
+struct VertexNumber {
+  std::uint32_t value = unnumbered;
+};
+
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Exact,
+    CGAL::Triangulation_data_structure_2<
+        CGAL::Triangulation_vertex_base_with_info_2<VertexNumber, Exact>,
+        CGAL::Constrained_triangulation_face_base_2<Exact>>,
+    CGAL::Exact_intersections_tag>;
+
+void cut(const glm::uvec3& corners, std::uint32_t triangle, Drawing& drawing, PointNumbers& number,
+         Arrangement& out) {
+  for (int k = 0; k < 3; ++k) {
+    drawing.points.push_back(corners[k]);
+    drawing.segments.emplace_back(corners[k], corners[(k + 1) % 3]);
+  }
+  for (auto& [from, to] : drawing.segments) {
+    drawing.points.insert(drawing.points.end(), {from, to});
+    if (from > to) {
+      std::swap(from, to);
+    }
+  }
+  std::ranges::sort(drawing.points);
+  drawing.points.erase(std::ranges::unique(drawing.points).begin(), drawing.points.end());
+  std::ranges::sort(drawing.segments);
+  drawing.segments.erase(std::ranges::unique(drawing.segments).begin(), drawing.segments.end());
+
+  const Plane plane(out.points[corners.x], out.points[corners.y], out.points[corners.z]);
+  std::vector<std::pair<Exact::Point_2, VertexNumber>> flat;
+  for (const std::uint32_t point : drawing.points) {
+    flat.emplace_back(plane.flat(out.points[point]), VertexNumber{point});
+  }
+  Triangulation triangulation;
+  triangulation.insert(flat.begin(), flat.end());
+  std::map<std::uint32_t, Triangulation::Vertex_handle> vertex_of;
+  for (const auto vertex : triangulation.finite_vertex_handles()) {
+    vertex_of[vertex->info().value] = vertex;
+  }
+  for (const auto& [from, to] : drawing.segments) {
+    triangulation.insert_constraint(vertex_of.at(from), vertex_of.at(to));
+  }
+  // Where segments cross there are new vertices, made without a number.
+  for (const auto vertex : triangulation.finite_vertex_handles()) {
+    if (vertex->info().value == unnumbered) {
+      vertex->info().value = number(plane.raised(vertex->point()));
+    }
+  }
+  for (const auto face : triangulation.finite_face_handles()) {
+    glm::uvec3 piece(face->vertex(0)->info().value, face->vertex(1)->info().value,
+                     face->vertex(2)->info().value);
+    if (plane.turned()) {
+      std::swap(piece.y, piece.z);
+    }
+    out.pieces.push_back({.corners = piece, .triangle = triangle});
+  }
+}
+
+}  // namespace
+
+Arrangement arrange(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+                    std::span<const std::uint8_t> wanted) {
+  Arrangement out;
+  PointNumbers number(out.points);
+  std::vector<std::uint32_t> number_of(positions.size(), unnumbered);
+  std::vector<glm::uvec3> corners(triangles.size(), glm::uvec3(unnumbered));
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; wanted[i] != 0 && k < 3; ++k) {
+      std::uint32_t& id = number_of[triangles[i][k]];
+      if (id == unnumbered) {
+        id = number(exact(positions[triangles[i][k]]));
+      }
+      corners[i][k] = id;
+    }
+  }
+  std::vector<std::uint32_t> drawing_of(triangles.size(), unnumbered);
+  std::vector<Drawing> drawings;
+  const auto drawing = [&](std::uint32_t triangle) {
+    if (drawing_of[triangle] == unnumbered) {
+      drawing_of[triangle] = static_cast<std::uint32_t>(drawings.size());
+      drawings.emplace_back();
+    }
+    return drawing_of[triangle];
+  };
+  const auto exact_triangle = [&](std::uint32_t triangle) {
+    const glm::uvec3& t = corners[triangle];
+    return Exact::Triangle_3(out.points[t.x], out.points[t.y], out.points[t.z]);
+  };
+  for (const auto& [a, b] : touching_triangles(positions, triangles, wanted)) {
+    const std::uint32_t first = drawing(a);
+    const std::uint32_t second = drawing(b);
+    if (const auto common = CGAL::intersection(exact_triangle(a), exact_triangle(b))) {
+      boost::apply_visitor(Common{.number = number, .a = drawings[first], .b = drawings[second]},
+                           *common);
+    }
+  }
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (wanted[i] == 0) {
+      continue;
+    }
+    if (drawing_of[i] == unnumbered) {
+      out.pieces.push_back({.corners = corners[i], .triangle = i});
+    } else {
+      cut(corners[i], i, drawings[drawing_of[i]], number, out);
+      drawings[drawing_of[i]] = {};
+    }
+  }
+  return out;
+}
+
+}  // namespace raycat

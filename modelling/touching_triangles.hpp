@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace raycat {
+
+/// All pairs of triangles that have more in common than corners and edges of both. Only triangles
+/// marked in `wanted` are looked at; those have corners that are not in a row. Exact.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_triangles(
+    std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+    std::span<const std::uint8_t> wanted);
+
+}  // namespace raycat
