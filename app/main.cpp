@@ -84,6 +84,7 @@ int run(int argc, char** argv) {
   add_probe(app);
   add_compare(app);
   add_study(app);
+  add_convert(app);
   require_known_subcommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,108 @@
+#include "io/pov_material.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "io/pov_text.hpp"
+
+namespace raycat {
+namespace {
+
+const glm::vec3 black(0.0f);
+
+float mean(const glm::vec3& colour) { return (colour.r + colour.g + colour.b) / 3.0f; }
+
+glm::vec3 per(const glm::vec3& colour, const glm::vec3& pigment) {
+  glm::vec3 factor(0.0f);
+  for (int k = 0; k < 3; ++k) {
+    factor[k] = pigment[k] > 0.0f ? colour[k] / pigment[k] : 0.0f;
+  }
+  return factor;
+}
+
+// POV-Ray multiplies all of a surface's own light with its pigment, which is therefore nowhere
+// zero where there is light of another kind than diffuse.
+glm::vec3 pigment_of(const Material& material) {
+  constexpr float next_to_nothing = 1e-6f;
+  glm::vec3 pigment = material.diffuse;
+  for (int k = 0; k < 3; ++k) {
+    if (pigment[k] == 0.0f && (material.ambient[k] > 0.0f || material.emission[k] > 0.0f)) {
+      pigment[k] = next_to_nothing;
+    }
+  }
+  return pigment;
+}
+
+std::string reflection(const Material& material) {
+  if (material.reflection == black) {
+    return "";
+  }
+  return material.fresnel
+             ? fmt::format(" reflection {{ {}, {} falloff 5 }} conserve_energy",
+                           pov_colour(material.reflection), pov_colour(material.grazing_reflection))
+             : fmt::format(" reflection {{ {} }}", pov_colour(material.reflection));
+}
+
+std::string finish(const Material& material, const glm::vec3& pigment, float strength,
+                   float specular_ratio) {
+  std::string text = fmt::format("finish {{ ambient {} emission {} diffuse 1",
+                                 pov_colour(per(material.ambient, pigment)),
+                                 pov_colour(per(material.emission, pigment)));
+  const float highlight = strength * specular_ratio * mean(material.specular);
+  if (highlight > 0.0f && material.shininess > 0.0f) {
+    text += fmt::format(" specular {} roughness {}", highlight, 1.0f / material.shininess);
+  }
+  return text + reflection(material) + " }";
+}
+
+// What passes, by eq. (1)'s k_t at normal incidence; by POV-Ray's `conserve_energy` it is what
+// reflection leaves of this.
+glm::vec3 passing(const Material& material) {
+  if (material.blend) {
+    return glm::vec3(1.0f - material.alpha);
+  }
+  const bool conserves = material.fresnel && material.reflection != black;
+  return conserves ? per(material.transmission, 1.0f - material.reflection) : material.transmission;
+}
+
+}  // namespace
+
+float specular_to_diffuse(const std::vector<Light>& lights) {
+  float diffuse = 0.0f;
+  float specular = 0.0f;
+  for (const Light& light : lights) {
+    diffuse += mean(light.diffuse);
+    specular += mean(light.specular);
+  }
+  return diffuse > 0.0f ? specular / diffuse : 1.0f;
+}
+
+std::string pov_texture(const Material& material, float specular_ratio) {
+  const float strength = material.blend ? material.alpha : 1.0f;
+  const glm::vec3 pigment = pigment_of(material);
+  const std::string surface = finish(material, pigment, strength, specular_ratio);
+  const glm::vec3 passes = passing(material);
+  if (passes == black) {
+    return fmt::format("texture {{ pigment {{ {} }} {} }}", pov_colour(strength * pigment),
+                       surface);
+  }
+  // In POV-Ray the more a surface lets through, the less of its own light is seen; so that has a
+  // layer of its own, which halves both, over one that only colours what passes. The upper layer
+  // comes last.
+  constexpr float through = 0.5f;
+  return fmt::format(
+      "texture {{ pigment {{ {} filter 1 }} finish {{ ambient 0 diffuse 0 }} }}\n"
+      "texture {{ pigment {{ {} transmit {} }} {} }}",
+      pov_colour(passes / through), pov_colour(strength / (1.0f - through) * pigment), through,
+      surface);
+}
+
+std::string pov_interior(const Material& material) {
+  return material.transmission == black || material.thin || material.ior == 1.0f
+             ? ""
+             : fmt::format(" interior {{ ior {} }}", material.ior);
+}
+
+}  // namespace raycat
