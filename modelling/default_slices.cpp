@@ -82,9 +82,8 @@ std::uint32_t default_slices(const Polygons& polygons, const LinearExtrusion& ex
   if (extrusion.twist != 0.0) {
     const double radius = longest(polygons, [](const glm::dvec2& corner) { return corner; });
     slices = twist_slices(radius, even ? extrusion.scale.x : 1.0, extrusion, rule);
-  }
-  if (!even) {
-    slices = std::max(slices, shear_slices(polygons, extrusion, rule));
+  } else if (!even) {
+    slices = shear_slices(polygons, extrusion, rule);
   }
   if (!(slices <= most)) {
     throw std::length_error(

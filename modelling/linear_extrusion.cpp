@@ -53,7 +53,7 @@ bool rises_to_the_right(const TriangleMesh& mesh, const Quad& quad, bool clockwi
   if (2.0 * std::abs(rising - falling) > equal * (rising + falling)) {
     return rising < falling;
   }
-  return !clockwise;
+  return clockwise;
 }
 
 void add_wall(const Quad& quad, bool rises, std::uint32_t face, TriangleMesh& mesh) {
