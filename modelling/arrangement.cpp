@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include "modelling/touching_triangles.hpp"
+#include "modelling/triangle_overlap.hpp"
 
 namespace raycat {
 namespace {
@@ -21,53 +24,50 @@ class PointNumbers {
  public:
   explicit PointNumbers(std::vector<Exact::Point_3>& points) : points_(points) {}
 
-  std::uint32_t operator()(const Exact::Point_3& point) {
-    const auto [found, is_new] =
-        numbers_.try_emplace(point, static_cast<std::uint32_t>(points_.size()));
-    if (is_new) {
-      points_.push_back(point);
+  std::uint32_t operator()(const RationalPoint& point) {
+    const std::array key{CGAL::to_double(point.x()), CGAL::to_double(point.y()),
+                         CGAL::to_double(point.z())};
+    const auto [begin, end] = numbers_.equal_range(key);
+    for (auto known = begin; known != end; ++known) {
+      if (CGAL::exact(points_[known->second]) == point) {
+        return known->second;
+      }
     }
-    return found->second;
+    const auto number = static_cast<std::uint32_t>(points_.size());
+    numbers_.emplace(key, number);
+    points_.emplace_back(Exact::FT(point.x()), Exact::FT(point.y()), Exact::FT(point.z()));
+    return number;
   }
 
  private:
+  struct Hash {
+    std::size_t operator()(const std::array<double, 3>& key) const {
+      std::size_t hash = 0;
+      for (const double part : key) {
+        hash = 0x9e3779b97f4a7c15U * (hash ^ std::hash<double>()(part)) + (hash >> 29U);
+      }
+      return hash;
+    }
+  };
+
   std::vector<Exact::Point_3>& points_;
-  std::map<Exact::Point_3, std::uint32_t> numbers_;
+  std::unordered_multimap<std::array<double, 3>, std::uint32_t, Hash> numbers_;
 };
 
-// What is drawn on a triangle: points, and segments between them.
+// What is drawn on a triangle.
 struct Drawing {
   std::vector<std::uint32_t> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> segments;
-};
 
-// Adds what two triangles have in common.
-struct Common {
-  PointNumbers& number;
-  Drawing& a;
-  Drawing& b;
-
-  void operator()(const Exact::Point_3& point) const {
-    const std::uint32_t id = number(point);
-    a.points.push_back(id);
-    b.points.push_back(id);
-  }
-  void operator()(const Exact::Segment_3& segment) const {
-    add(number(segment.source()), number(segment.target()));
-  }
-  void operator()(const Exact::Triangle_3& triangle) const {
-    add_polygon(std::array{triangle[0], triangle[1], triangle[2]});
-  }
-  void operator()(const std::vector<Exact::Point_3>& polygon) const { add_polygon(polygon); }
-
- private:
-  void add(std::uint32_t from, std::uint32_t to) const {
-    a.segments.emplace_back(from, to);
-    b.segments.emplace_back(from, to);
-  }
-  void add_polygon(std::span<const Exact::Point_3> polygon) const {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      add(number(polygon[i]), number(polygon[(i + 1) % polygon.size()]));
+  void add(const std::vector<TriangleOverlap::Segment>& drawn, PointNumbers& number) {
+    for (const auto& [from, to] : drawn) {
+      const std::uint32_t begin = number(from);
+      const std::uint32_t end = number(to);
+      if (begin == end) {
+        points.push_back(begin);
+      } else {
+        segments.emplace_back(begin, end);
+      }
     }
   }
 };
@@ -157,7 +157,7 @@ void cut(const glm::uvec3& corners, std::uint32_t triangle, Drawing& drawing, Po
   // Where segments cross there are new vertices, made without a number.
   for (const auto vertex : triangulation.finite_vertex_handles()) {
     if (vertex->info().value == unnumbered) {
-      vertex->info().value = number(plane.raised(vertex->point()));
+      vertex->info().value = number(CGAL::exact(plane.raised(vertex->point())));
     }
   }
   for (const auto face : triangulation.finite_face_handles()) {
@@ -182,7 +182,7 @@ Arrangement arrange(std::span<const glm::dvec3> positions, std::span<const glm::
     for (int k = 0; wanted[i] != 0 && k < 3; ++k) {
       std::uint32_t& id = number_of[triangles[i][k]];
       if (id == unnumbered) {
-        id = number(exact(positions[triangles[i][k]]));
+        id = number(CGAL::exact(exact(positions[triangles[i][k]])));
       }
       corners[i][k] = id;
     }
@@ -198,15 +198,15 @@ Arrangement arrange(std::span<const glm::dvec3> positions, std::span<const glm::
   };
   const auto exact_triangle = [&](std::uint32_t triangle) {
     const glm::uvec3& t = corners[triangle];
-    return Exact::Triangle_3(out.points[t.x], out.points[t.y], out.points[t.z]);
+    return std::array{CGAL::exact(out.points[t.x]), CGAL::exact(out.points[t.y]),
+                      CGAL::exact(out.points[t.z])};
   };
   for (const auto& [a, b] : touching_triangles(positions, triangles, wanted)) {
     const std::uint32_t first = drawing(a);
     const std::uint32_t second = drawing(b);
-    if (const auto common = CGAL::intersection(exact_triangle(a), exact_triangle(b))) {
-      boost::apply_visitor(Common{.number = number, .a = drawings[first], .b = drawings[second]},
-                           *common);
-    }
+    const TriangleOverlap overlap = triangle_overlap(exact_triangle(a), exact_triangle(b));
+    drawings[first].add(overlap.on_a, number);
+    drawings[second].add(overlap.on_b, number);
   }
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     if (wanted[i] == 0) {

@@ -37,8 +37,8 @@ struct EvaluatedMesh {
 /// rounded to doubles.
 ///
 /// Throws `std::invalid_argument` if a half-space leaves the tree without bounds, if the tree is
-/// not complete, or if curved shapes take too many triangles, and `std::runtime_error` if raycat
-/// was built without CGAL.
+/// not complete, or if the operands take too many triangles, `std::length_error` if these cut one
+/// another too often, and `std::runtime_error` if raycat was built without CGAL.
 EvaluatedMesh evaluate(const CsgTree& tree, const TessellationRule& rule = {});
 
 }  // namespace raycat

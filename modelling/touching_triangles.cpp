@@ -2,15 +2,19 @@
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
+#include <fmt/format.h>
 
 namespace raycat {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
+constexpr std::size_t most_pairs = std::size_t{1} << 23;  // which are some gigabytes of points
+
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
 // Two triangles with their corners turned so that the common ones come first, in the same places.
@@ -77,6 +81,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_triangles(
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     if (touch(aligned(corners(a.info()), corners(b.info())))) {
+      if (pairs.size() == most_pairs) {
+        throw std::length_error(fmt::format(
+            "the operands of a solid cut one another at most {} times, triangle by triangle",
+            most_pairs));
+      }
       pairs.emplace_back(a.info(), b.info());
     }
   });
