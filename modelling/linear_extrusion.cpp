@@ -41,9 +41,10 @@ struct Quad {
   std::uint32_t lower_left, lower_right, upper_right, upper_left;
 };
 
-// OpenSCAD cuts by the shorter diagonal. Of equal ones, as where the edge points at the axis of
-// the twist, it takes that which leans the way the layers turn.
-bool rises_to_the_right(const TriangleMesh& mesh, const Quad& quad, bool clockwise) {
+// OpenSCAD cuts by the shorter diagonal, but by the longer one below a top that is a line. Of
+// equal ones, as where the edge points at the axis of the twist, it takes that which leans
+// against the turn of the layers.
+bool rises_to_the_right(const TriangleMesh& mesh, const Quad& quad, bool clockwise, bool longer) {
   constexpr double equal = 1e-5;
   const auto length = [&](std::uint32_t a, std::uint32_t b) {
     return glm::distance(glm::dvec2(mesh.positions[a]), glm::dvec2(mesh.positions[b]));
@@ -51,9 +52,9 @@ bool rises_to_the_right(const TriangleMesh& mesh, const Quad& quad, bool clockwi
   const double rising = length(quad.lower_left, quad.upper_right);
   const double falling = length(quad.lower_right, quad.upper_left);
   if (2.0 * std::abs(rising - falling) > equal * (rising + falling)) {
-    return rising < falling;
+    return (rising < falling) != longer;
   }
-  return clockwise;
+  return clockwise != longer;
 }
 
 void add_wall(const Quad& quad, bool rises, std::uint32_t face, TriangleMesh& mesh) {
@@ -71,11 +72,14 @@ void add_walls(const Polygons& polygons, const std::vector<Layer>& layers, bool 
     const auto n = static_cast<std::uint32_t>(contour.size());
     const std::vector<std::uint32_t> runs = smooth_runs(contour);
     for (std::uint32_t layer = 0; layer + 1 < layers.size(); ++layer) {
+      const glm::dvec2& scale = layers[layer + 1].scale;
+      const bool longer = (scale.x == 0.0) != (scale.y == 0.0);
       for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t left = layer * corners + first + i;
         const std::uint32_t right = layer * corners + first + (i + 1) % n;
         const Quad quad{left, right, right + corners, left + corners};
-        add_wall(quad, rises_to_the_right(mesh, quad, clockwise), mesh.face_count + runs[i], mesh);
+        add_wall(quad, rises_to_the_right(mesh, quad, clockwise, longer), mesh.face_count + runs[i],
+                 mesh);
       }
     }
     first += n;
