@@ -82,5 +82,46 @@ TEST_CASE("linear extrusions are OpenSCAD's", "[modelling][extrusion][openscad]"
   CHECK(bad == 0);
 }
 
+TEST_CASE("rotate extrusions are OpenSCAD's", "[modelling][extrusion][openscad]") {
+  if (!openscad_is_installed()) {
+    return;
+  }
+  int bad = 0;
+  for (const double shift : {5.0, 0.0, -12.0, 0.5}) {
+    for (const double angle : {360.0, 90.0, -90.0, 400.0, -720.0, 359.0, -1.0, 200.0}) {
+      for (const FacetRule rule :
+           {FacetRule{}, FacetRule{.number = 7}, FacetRule{.angle = 5, .size = 0.3}}) {
+        for (const Outline& outline : outlines()) {
+          const Polygons profile = transformed(outline.polygons, {{1, 0}, {0, 1}, {shift, 0}});
+          const std::string csg = fmt::format(
+              "rotate_extrude(angle={},convexity=2,$fn={},$fa={},$fs={}){{"
+              "multmatrix([[1,0,0,{}],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){{{}}}}}",
+              angle, rule.number, rule.angle, rule.size, shift, outline.csg);
+          INFO(csg);
+          TriangleMesh mesh;
+          try {
+            mesh = rotate_extrusion(
+                profile, {.angle = angle, .fragments = default_fragments(profile, angle, rule)});
+          } catch (const std::invalid_argument&) {
+            CHECK_THROWS(openscad_mesh(csg));
+            continue;
+          }
+          const TriangleMesh reference = openscad_mesh(csg);
+          const double expected = volume(reference);
+          if (std::abs(volume(mesh) - expected) > 1e-5 * std::abs(expected)) {
+            ++bad;
+            fmt::print("{}\n  {} against {}, {} triangles against {}\n", csg, volume(mesh),
+                       expected, mesh.triangles.size(), reference.triangles.size());
+            continue;
+          }
+          const RayComparison rays = compare(ClosedMesh(mesh), ClosedMesh(reference));
+          CHECK(rays.bad == 0);
+        }
+      }
+    }
+  }
+  CHECK(bad == 0);
+}
+
 }  // namespace
 }  // namespace raycat
