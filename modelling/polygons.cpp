@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
 
 #include "modelling/winding.hpp"
 
@@ -56,6 +56,28 @@ Polygons transformed(const Polygons& polygons, const glm::dmat3x2& map) {
     }
     if (turn < 0.0) {
       std::ranges::reverse(image);
+    }
+  }
+  return out;
+}
+
+Polygons hull(std::span<const Polygons> operands) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  std::vector<Point> points;
+  for (const Polygons& polygons : operands) {
+    for (const Contour& contour : polygons.contours) {
+      for (const glm::dvec2& p : contour) {
+        points.emplace_back(p.x, p.y);
+      }
+    }
+  }
+  std::vector<Point> corners;
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(corners));
+  Polygons out;
+  if (corners.size() > 2) {
+    Contour& contour = out.contours.emplace_back();
+    for (const Point& p : corners) {
+      contour.emplace_back(p.x(), p.y());
     }
   }
   return out;

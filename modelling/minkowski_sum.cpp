@@ -1,0 +1,127 @@
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/minkowski_sum_2.h>
+
+#include "modelling/polygons.hpp"
+#include "modelling/triangulation.hpp"
+#include "modelling/winding.hpp"
+
+namespace raycat {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Simple = CGAL::Polygon_2<Kernel>;
+using Piece = CGAL::Polygon_with_holes_2<Kernel>;
+
+// Sets that grow together, each known by one of its members.
+class Joined {
+ public:
+  explicit Joined(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t operator()(std::size_t member) {
+    while (parent_[member] != member) {
+      parent_[member] = parent_[parent_[member]];
+      member = parent_[member];
+    }
+    return member;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[(*this)(a)] = (*this)(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// Corners at one place have one number.
+std::vector<std::size_t> places(const Polygons& polygons) {
+  std::map<std::pair<double, double>, std::size_t> known;
+  std::vector<std::size_t> out;
+  for (const Contour& contour : polygons.contours) {
+    for (const glm::dvec2& p : contour) {
+      out.push_back(known.try_emplace({p.x, p.y}, known.size()).first->second);
+    }
+  }
+  return out;
+}
+
+Simple simple(const Contour& contour) {
+  Simple out;
+  for (const glm::dvec2& p : contour) {
+    out.push_back({p.x, p.y});
+  }
+  return out;
+}
+
+// Each outer contour with its holes: contours belong together if triangles between them do.
+std::vector<Piece> pieces(const Polygons& polygons) {
+  const auto [regular, triangles] = triangulated(polygons);
+  const std::vector<std::size_t> place = places(regular);
+  Joined joined(triangles.size());
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> left;  // triangle left of an edge
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t from = place[triangles[i][k]];
+      const std::size_t to = place[triangles[i][(k + 1) % 3]];
+      left[{from, to}] = i;
+      if (const auto twin = left.find({to, from}); twin != left.end()) {
+        joined.join(i, twin->second);
+      }
+    }
+  }
+  std::map<std::size_t, std::pair<Simple, std::vector<Simple>>> grouped;
+  std::size_t first = 0;
+  for (const Contour& contour : regular.contours) {
+    const auto beside = left.find({place[first], place[first + 1]});
+    first += contour.size();
+    if (beside == left.end()) {
+      continue;
+    }
+    auto& [outer, holes] = grouped[joined(beside->second)];
+    Simple polygon = simple(contour);
+    if (polygon.is_counterclockwise_oriented()) {
+      outer = std::move(polygon);
+    } else {
+      holes.push_back(std::move(polygon));
+    }
+  }
+  std::vector<Piece> out;
+  for (auto& [set, piece] : grouped) {
+    out.emplace_back(std::move(piece.first), piece.second.begin(), piece.second.end());
+  }
+  return out;
+}
+
+void add_contour(const Simple& polygon, std::vector<WindingEdge>& out) {
+  Contour contour;
+  for (const Kernel::Point_2& p : polygon.container()) {
+    contour.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  }
+  add_edges(contour, 1, out);
+}
+
+}  // namespace
+
+Polygons minkowski_sum(const Polygons& a, const Polygons& b) {
+  const std::vector<Piece> of_a = pieces(a);
+  const std::vector<Piece> of_b = pieces(b);
+  std::vector<WindingEdge> edges;
+  for (const Piece& p : of_a) {
+    for (const Piece& q : of_b) {
+      const Piece sum = CGAL::minkowski_sum_2(p, q);
+      add_contour(sum.outer_boundary(), edges);
+      for (const Simple& hole : sum.holes()) {
+        add_contour(hole, edges);
+      }
+    }
+  }
+  return wound_region(edges);
+}
+
+}  // namespace raycat
