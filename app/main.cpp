@@ -25,7 +25,7 @@ CLI::Validator number_in(double low, double high) {
 
 void add_common(CLI::App& command, CommonOptions& options) {
   options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  command.add_option("SCENE", options.scene, "Scene file: .gltf .glb .csg .obj .ply .stl .off")
+  command.add_option("SCENE", options.scene, "Scene file: .gltf .glb .csg .scad .obj .ply .stl .off")
       ->required();
   command.add_option("--threads", options.threads, "Threads; all by default")
       ->type_name("N")
@@ -46,6 +46,13 @@ void add_common(CLI::App& command, CommonOptions& options) {
                   "glTF's own lights count 2^EV times; 0 by default")
       ->type_name("EV")
       ->check(number_in(-64.0, 64.0));
+  add_choice<Facetting>(command, "--facets", options.load.facets,
+                        {{"openscad", Facetting::openscad}, {"smooth", Facetting::smooth}},
+                        "Round things of .csg files: openscad (its facets; default) or smooth "
+                        "(true spheres, cylinders and cones)")
+      ->type_name("KIND");
+  command.add_flag("--keep-going", options.load.keep_going,
+                   "Warn of .csg nodes that cannot be made, and read the rest");
 }
 
 SceneFile load(const CommonOptions& options) { return load_scene(options.scene, options.load); }

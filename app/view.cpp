@@ -99,7 +99,8 @@ Camera choose_camera(const SceneFile& file, const ViewOptions& options, const Im
     return options.orthographic ? orthographic(camera, distance) : camera;
   }
   if (options.camera.empty() && file.scene.cameras.empty()) {
-    return frame(box, file.up, static_cast<double>(size.width) / size.height, options.orthographic);
+    return frame(box, file.viewed_from.value_or(three_quarter(file.up)), file.up,
+                 static_cast<double>(size.width) / size.height, options.orthographic);
   }
   const Camera& camera =
       options.camera.empty() ? file.scene.cameras.front() : named_camera(file, options.camera);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "geometry/triangle_index.hpp"
 #include "geometry/watertight.hpp"
 
@@ -55,6 +57,18 @@ Bounds bounds(const TriangleMesh& mesh) {
     }
   }
   return box;
+}
+
+double signed_volume(const TriangleMesh& mesh) {
+  const glm::dvec3 centre = bounds(mesh).center();
+  double sum = 0.0;
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    const glm::dvec3 a = mesh.positions[triangle.x] - centre;
+    const glm::dvec3 b = mesh.positions[triangle.y] - centre;
+    const glm::dvec3 c = mesh.positions[triangle.z] - centre;
+    sum += glm::dot(a, glm::cross(b, c));
+  }
+  return sum / 6.0;
 }
 
 ClosedMesh::ClosedMesh(TriangleMesh mesh)

@@ -24,6 +24,10 @@ struct TriangleMesh {
 
 Bounds bounds(const TriangleMesh& mesh);
 
+/// That the mesh encloses, if it is closed; negative if it is inside out. Summed about the middle
+/// of the mesh, so that a far one loses nothing.
+double signed_volume(const TriangleMesh& mesh);
+
 /// A mesh that encloses a volume: every edge is shared by as many triangles that run along it
 /// one way as the other. Overlapping shells are united, and a shell turned inside out is a
 /// cavity (the solid is where the winding number is positive).

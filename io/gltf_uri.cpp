@@ -4,10 +4,10 @@
 #include <array>
 #include <cctype>
 #include <stdexcept>
-#include <system_error>
 
 #include <fmt/format.h>
 
+#include "io/contained_path.hpp"
 #include "io/excerpt.hpp"
 
 namespace raycat {
@@ -87,28 +87,7 @@ std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::stri
     throw std::runtime_error(
         fmt::format("URI '{}' has a scheme; only relative URIs are read", excerpt(uri)));
   }
-  const std::string decoded = percent_decoded(uri);
-  const auto refuse = [&](std::string_view why) {
-    throw std::runtime_error(fmt::format("URI '{}' {}", excerpt(uri), why));
-  };
-  if (decoded.empty()) {
-    refuse("is empty");
-  }
-  if (decoded.find('\0') != std::string::npos || decoded.find('\\') != std::string::npos) {
-    refuse("holds a character that is not allowed");
-  }
-  const std::filesystem::path relative(decoded);
-  if (relative.is_absolute() || std::ranges::find(relative, "..") != relative.end()) {
-    refuse("leads out of the file's folder");
-  }
-  std::error_code error;
-  const auto base = folder.empty() ? std::filesystem::path(".") : folder;
-  const auto root = std::filesystem::canonical(base, error);
-  const auto target = std::filesystem::weakly_canonical(base / relative, error);
-  if (error || std::ranges::mismatch(root, target).in1 != root.end()) {
-    refuse("leads out of the file's folder");
-  }
-  return base / relative;
+  return contained_path(folder, percent_decoded(uri), "URI");
 }
 
 bool is_data_uri(std::string_view uri) noexcept {

@@ -12,7 +12,10 @@
 #include <glm/geometric.hpp>
 
 #include "io/input_file.hpp"
+#include "io/openscad_context.hpp"
+#include "io/openscad_lexer.hpp"
 #include "io/openscad_parser.hpp"
+#include "io/openscad_program.hpp"
 #include "io/openscad_solids.hpp"
 #include "io/openscad_view.hpp"
 #include "io/touching_boxes.hpp"
@@ -24,8 +27,6 @@ namespace {
 
 using namespace openscad;
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28;
-
 // OpenSCAD's "Cornfield" colours, sRGB.
 constexpr glm::vec3 solid_colour = glm::vec3(249.0f, 215.0f, 44.0f) / 255.0f;
 constexpr glm::vec3 cut_colour = glm::vec3(157.0f, 203.0f, 81.0f) / 255.0f;
@@ -35,31 +36,55 @@ glm::vec3 linear(const glm::vec3& srgb) {
   return {linear_from_srgb(srgb.r), linear_from_srgb(srgb.g), linear_from_srgb(srgb.b)};
 }
 
-// Builds the objects of the scene from the living nodes.
+FacetRule facet_rule(const std::filesystem::path& file, const File& parsed) {
+  FacetRule rule;
+  for (const Assignment& assignment : parsed.assignments) {
+    double* const to = assignment.name == "$fn"   ? &rule.number
+                       : assignment.name == "$fa" ? &rule.angle
+                       : assignment.name == "$fs" ? &rule.size
+                                                  : nullptr;
+    if (to == nullptr) {
+      continue;
+    }
+    if (assignment.value.number() == nullptr) {
+      throw LoadError(file, line_place(assignment.line),
+                      fmt::format("{} must be a number", assignment.name));
+    }
+    *to = *assignment.value.number();
+  }
+  return rule;
+}
+
+// Builds the objects of the scene from the usable nodes.
 class Builder {
  public:
-  Builder(const File& parsed, Solids& solids, SceneFile& out)
-      : nodes_(parsed.nodes), items_(solids.items), shapes_(solids.shapes), out_(out) {}
+  Builder(Solids& solids, SceneFile& out)
+      : from_(solids.items), root_(solids.root), is_cut_(from_.nodes.size()), out_(out) {}
 
   // Nodes at the top that touch are one object, so that where solids overlap or meet there is no
   // surface inside; others are objects of their own.
-  void build(std::uint32_t root) {
+  void build() {
     std::vector<std::uint32_t> tops;
     std::vector<Bounds> boxes;
     Bounds all;
-    for (std::uint32_t at = root; at < nodes_[root].end;) {
-      const Item& item = items_[at];
-      if (item.alive && !item.top) {
+    for (std::uint32_t at = root_; at < from_.nodes[root_].end;) {
+      const Item& item = from_.items[at];
+      if (!item.usable) {
+        at = from_.nodes[at].end;
+      } else if (!item.solid && (item.kind == Kind::unite || item.kind == Kind::resize)) {
+        ++at;
+      } else {
         tops.push_back(at);
         boxes.push_back(item.bounds);
         all.include(item.bounds);
+        at = from_.nodes[at].end;
       }
-      at = item.alive && item.top ? at + 1 : nodes_[at].end;
     }
     if (tops.empty()) {
       out_.warnings.emplace_back("the file holds no solid");
       return;
     }
+    mark_cut();
     // What a CSG tree takes as one point touches.
     const double tolerance = 1e-7 * glm::length(all.half_size());
     for (Bounds& box : boxes) {
@@ -77,11 +102,18 @@ class Builder {
   }
 
  private:
-  struct Open {
-    std::uint32_t end = 0;
-    Operation operation = Operation::set_union;
-    std::vector<CsgTree::NodeId> operands;
-  };
+  // Which nodes are subtracted, an odd number of times.
+  void mark_cut() {
+    for (std::uint32_t at = root_; at < from_.nodes[root_].end; ++at) {
+      const bool subtracts = from_.items[at].kind == Kind::subtract && !from_.items[at].solid;
+      bool first = true;
+      for (std::uint32_t child = at + 1; child < from_.nodes[at].end;
+           child = from_.nodes[child].end) {
+        is_cut_[child] = is_cut_[at] != (subtracts && !first);
+        first = first && !from_.items[child].usable;
+      }
+    }
+  }
 
   void add_object(const std::vector<std::uint32_t>& parts) {
     out_.scene.surfaces.add_object(unique_name(parts.front(), object_names_));
@@ -89,7 +121,10 @@ class Builder {
     std::vector<MaterialId> materials;
     std::vector<CsgTree::NodeId> operands;
     for (const std::uint32_t part : parts) {
-      operands.push_back(add_part(part, tree, materials));
+      operands.push_back(add_tree(from_, part, tree, [&](std::uint32_t at) {
+        materials.push_back(material(at));
+        return leaf(at);
+      }));
     }
     if (operands.size() > 1) {
       tree.add(Operation::set_union, operands);
@@ -101,51 +136,16 @@ class Builder {
         {.solid = Solid(std::move(tree)), .materials = std::move(materials)});
   }
 
-  CsgTree::NodeId add_part(std::uint32_t part, CsgTree& tree, std::vector<MaterialId>& materials) {
-    const std::uint32_t end = nodes_[part].end;
-    std::vector<Open> open{{.end = end, .operation = Operation::set_union, .operands = {}}};
-    for (std::uint32_t at = part; at < end;) {
-      const Item& item = items_[at];
-      if (!item.alive) {
-        at = nodes_[at].end;
-      } else if (item.kind == Kind::solid) {
-        open.back().operands.push_back(tree.add(leaf(at)));
-        materials.push_back(material(item));
-        at = nodes_[at].end;
-      } else {
-        const Operation operation = item.kind == Kind::subtract    ? Operation::difference
-                                    : item.kind == Kind::intersect ? Operation::intersection
-                                                                   : Operation::set_union;
-        // A union within a union adds its operands to it.
-        if (operation != Operation::set_union || open.back().operation != Operation::set_union) {
-          open.push_back({.end = nodes_[at].end, .operation = operation, .operands = {}});
-        }
-        ++at;
-      }
-      while (open.size() > 1 && open.back().end <= at) {
-        const CsgTree::NodeId closed = close(open.back(), tree);
-        open.pop_back();
-        open.back().operands.push_back(closed);
-      }
-    }
-    return close(open.back(), tree);
-  }
-
-  // An operation of one operand is that operand.
-  static CsgTree::NodeId close(const Open& open, CsgTree& tree) {
-    return open.operands.size() == 1 ? open.operands.front()
-                                     : tree.add(open.operation, open.operands);
-  }
-
   CsgLeaf leaf(std::uint32_t at) {
-    PlacedShape& shape = shapes_[items_[at].solid];
+    PlacedShape& shape = from_.shapes[*from_.items[at].solid];
     const SurfaceId first =
         out_.scene.surfaces.add_primitive(unique_name(at, primitive_names_), shape.face_count());
     return {.shape = std::move(shape), .first_face = first};
   }
 
-  MaterialId material(const Item& item) {
-    const glm::vec3 colour = item.colour.value_or(item.subtracted ? cut_colour : solid_colour);
+  MaterialId material(std::uint32_t at) {
+    const Item& item = from_.items[at];
+    const glm::vec3 colour = item.colour.value_or(is_cut_[at] ? cut_colour : solid_colour);
     std::vector<Material>& materials = out_.scene.materials;
     const auto [found, is_new] =
         material_of_.try_emplace(std::tuple(colour.r, colour.g, colour.b),
@@ -153,8 +153,8 @@ class Builder {
     if (is_new) {
       Material added;
       added.name = item.colour ? fmt::format("colour {:g} {:g} {:g}", colour.r, colour.g, colour.b)
-                   : item.subtracted ? "cut"
-                                     : "solid";
+                   : is_cut_[at] ? "cut"
+                                 : "solid";
       added.ambient = added.diffuse = linear(colour);
       added.specular = glm::vec3(0.1f);
       added.shininess = 20.0f;
@@ -165,14 +165,14 @@ class Builder {
 
   // `cylinder line 14`; the second of that name is `cylinder line 14 (2)`.
   std::string unique_name(std::uint32_t at, std::map<std::string, int>& names) const {
-    std::string name = fmt::format("{} line {}", nodes_[at].name, nodes_[at].line);
+    std::string name = fmt::format("{} line {}", from_.nodes[at].name, from_.nodes[at].line);
     const int count = ++names[name];
     return count == 1 ? name : fmt::format("{} ({})", name, count);
   }
 
-  const std::vector<Node>& nodes_;
-  const std::vector<Item>& items_;
-  std::vector<PlacedShape>& shapes_;
+  Items& from_;
+  std::uint32_t root_;
+  std::vector<bool> is_cut_;
   SceneFile& out_;
   std::map<std::tuple<float, float, float>, MaterialId> material_of_;
   std::map<std::string, int> object_names_;
@@ -181,18 +181,37 @@ class Builder {
 
 }  // namespace
 
-SceneFile read_openscad(const std::filesystem::path& file, const LoadOptions& /*options*/) {
-  const std::string text = read_input_file(file, most_bytes);
+namespace {
+
+SceneFile read(const std::filesystem::path& file, const std::string& text,
+               const LoadOptions& options) {
   const File parsed = parse(file, text);
   SceneFile out;
   out.up = {0.0, 0.0, 1.0};
+  out.viewed_from = default_direction();
   out.scene.background = linear(background_colour);
   if (std::optional<Camera> camera = view(file, parsed)) {
     out.scene.cameras.push_back(*std::move(camera));
   }
-  Solids solids = evaluate(file, parsed, out.warnings);
-  Builder(parsed, solids, out).build(solids.root);
+  Context context{.file = file,
+                  .options = options,
+                  .facets = facet_rule(file, parsed),
+                  .warnings = out.warnings};
+  Solids solids = evaluate(context, parsed);
+  Builder(solids, out).build();
   return out;
+}
+
+}  // namespace
+
+SceneFile read_openscad(const std::filesystem::path& file, const LoadOptions& options) {
+  if (lower_extension(file) != ".scad") {
+    return read(file, read_input_file(file, most_bytes), options);
+  }
+  // Lines are those of what openscad made of the file, so that is what messages name.
+  std::filesystem::path made = file;
+  made += " (as .csg)";
+  return read(made, csg_of_program(file), options);
 }
 
 }  // namespace raycat

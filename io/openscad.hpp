@@ -6,8 +6,8 @@
 
 namespace raycat {
 
-/// Reads an OpenSCAD .csg file: the tree that OpenSCAD dumps, or a person writes. Throws
-/// `LoadError`, naming line and node.
+/// Reads an OpenSCAD .csg file: the tree that OpenSCAD dumps, or a person writes; or a .scad file,
+/// if the `openscad` program is there to make that tree. Throws `LoadError`, naming line and node.
 SceneFile read_openscad(const std::filesystem::path& file, const LoadOptions& options);
 
 }  // namespace raycat

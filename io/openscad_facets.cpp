@@ -1,15 +1,12 @@
 #include "io/openscad_facets.hpp"
 
-#include <glm/vec2.hpp>
-
 namespace raycat::openscad {
 namespace {
 
 // Appends a circle's corners and returns the number of the first.
 std::uint32_t add_circle(Facets& facets, double radius, double z, std::uint32_t count) {
   const auto first = static_cast<std::uint32_t>(facets.points.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const glm::dvec2 corner = radius * unit_vector(360.0 * i / count);
+  for (const glm::dvec2& corner : circle_corners(radius, count)) {
     facets.points.emplace_back(corner, z);
   }
   return first;
@@ -37,6 +34,14 @@ void add_band(Facets& facets, std::uint32_t lower, std::uint32_t upper, std::uin
 }
 
 }  // namespace
+
+std::vector<glm::dvec2> circle_corners(double radius, std::uint32_t count) {
+  std::vector<glm::dvec2> corners(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    corners[i] = radius * unit_vector(360.0 * i / count);
+  }
+  return corners;
+}
 
 std::uint64_t sphere_triangles(std::uint32_t count) {
   return std::uint64_t{count} * ((std::uint64_t{count} + 1) / 2) * 2;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "modelling/facet_rule.hpp"
@@ -15,6 +16,9 @@ struct Facets {
   std::vector<std::vector<std::uint32_t>> polygons;
   std::vector<std::uint32_t> surface;
 };
+
+/// A circle's corners, counter-clockwise from the +X axis on.
+std::vector<glm::dvec2> circle_corners(double radius, std::uint32_t count);
 
 /// How many triangles `facet_sphere` and `facet_cylinder` give at most for this count.
 std::uint64_t sphere_triangles(std::uint32_t count);

@@ -5,16 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "io/openscad_lexer.hpp"
-#include "io/scene_file.hpp"
-
 namespace raycat::openscad {
 
-Parameters::Parameters(const std::filesystem::path& file, const Node& node,
+Parameters::Parameters(Context& context, const Node& node,
                        std::initializer_list<std::string_view> names,
-                       std::initializer_list<std::string_view> others,
-                       std::vector<std::string>& warnings)
-    : file_(file), node_(node), names_(names) {
+                       std::initializer_list<std::string_view> others)
+    : context_(context), node_(node), names_(names) {
   std::size_t unnamed = 0;
   for (const Argument& argument : node.arguments) {
     const bool known = argument.name.empty()
@@ -23,10 +19,11 @@ Parameters::Parameters(const std::filesystem::path& file, const Node& node,
                                  std::ranges::count(others, argument.name) != 0 ||
                                  argument.name.starts_with('$') || argument.name == "timestamp";
     if (!known) {
-      warnings.push_back(fmt::format(
-          "line {}: {}: {} is ignored", node.line, node.name,
-          argument.name.empty() ? std::string("a surplus parameter")
-                                : fmt::format("the unknown parameter {:.40}", argument.name)));
+      context.warn(node,
+                   fmt::format("{} is ignored",
+                               argument.name.empty()
+                                   ? std::string("a surplus parameter")
+                                   : fmt::format("the unknown parameter {:.40}", argument.name)));
     }
   }
 }
@@ -72,6 +69,17 @@ bool Parameters::flag(std::string_view name, bool otherwise) const {
   return std::get<bool>(value->is);
 }
 
+std::string Parameters::text(std::string_view name, const std::string& otherwise) const {
+  const Value* const value = find(name);
+  if (value == nullptr) {
+    return otherwise;
+  }
+  if (!std::holds_alternative<std::string>(value->is)) {
+    fail(fmt::format("{} must be a string", name));
+  }
+  return std::get<std::string>(value->is);
+}
+
 const Vector& Parameters::vector(std::string_view name) const {
   const Value* const value = find(name);
   if (value == nullptr || value->vector() == nullptr) {
@@ -80,8 +88,50 @@ const Vector& Parameters::vector(std::string_view name) const {
   return *value->vector();
 }
 
-void Parameters::fail(const std::string& what) const {
-  throw LoadError(file_, line_place(node_.line), fmt::format("{}: {}", node_.name, what));
+double Parameters::radius(std::string_view by_radius, std::string_view by_diameter,
+                          double otherwise) const {
+  return find(by_diameter) != nullptr ? 0.5 * number(by_diameter, 2.0 * otherwise)
+                                      : number(by_radius, otherwise);
+}
+
+glm::dvec3 Parameters::axes(std::string_view name, std::size_t count,
+                            const glm::dvec3& otherwise) const {
+  constexpr std::string_view names = "x, y, z";
+  const auto refuse = [&]() {
+    fail(fmt::format("{} must be a number or [{}]", name, names.substr(0, 3 * count - 2)));
+  };
+  const Value* const value = find(name);
+  if (value == nullptr) {
+    return otherwise;
+  }
+  if (value->number() != nullptr) {
+    return glm::dvec3(*value->number());
+  }
+  if (value->vector() == nullptr || value->vector()->size() != count) {
+    refuse();
+  }
+  glm::dvec3 out = otherwise;
+  for (std::size_t axis = 0; axis < count; ++axis) {
+    const Value& one = (*value->vector())[axis];
+    if (std::holds_alternative<Unknown>(one.is)) {
+      break;  // OpenSCAD reads no further
+    }
+    if (one.number() == nullptr) {
+      refuse();
+    }
+    out[static_cast<int>(axis)] = *one.number();
+  }
+  return out;
+}
+
+FacetRule Parameters::facets() const {
+  return {.number = number("$fn", context_.facets.number),
+          .angle = number("$fa", context_.facets.angle),
+          .size = number("$fs", context_.facets.size)};
+}
+
+std::uint32_t Parameters::corners(double radius) const {
+  return context_.corners(node_, facets(), radius);
 }
 
 }  // namespace raycat::openscad

@@ -15,6 +15,21 @@ namespace {
 // unlike nodes are nested objects, from using up the stack.
 constexpr int most_nested_vectors = 16;
 
+// What a string's escapes stand for: \" \\ \n \r \t; of others the backslash stays.
+std::string unescaped(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    constexpr std::string_view escapes = "\"\\nrt";
+    constexpr std::string_view meanings = "\"\\\n\r\t";
+    const std::size_t which =
+        text[i] == '\\' && i + 1 < text.size() ? escapes.find(text[i + 1]) : std::string_view::npos;
+    out += which == std::string_view::npos ? text[i] : meanings[which];
+    i += which == std::string_view::npos ? 0U : 1U;
+  }
+  return out;
+}
+
 class Parser {
  public:
   Parser(const std::filesystem::path& file, std::string_view text)
@@ -147,7 +162,7 @@ Value Parser::value(int depth) {
     return {.is = take().number};
   }
   if (token_.kind == Token::Kind::string) {
-    return {.is = std::string(take().text)};
+    return {.is = unescaped(take().text)};
   }
   if (take_if("-")) {
     return word_value(true);

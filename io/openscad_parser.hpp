@@ -9,6 +9,9 @@
 
 namespace raycat::openscad {
 
+/// The most of a .csg file.
+inline constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28;
+
 struct Value;
 using Vector = std::vector<Value>;
 

@@ -1,52 +1,32 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include <glm/vec3.hpp>
+#include <glm/mat4x4.hpp>
 
+#include "geometry/mesh.hpp"
 #include "geometry/shape.hpp"
-#include "io/openscad_facets.hpp"
-#include "io/openscad_parser.hpp"
+#include "io/openscad_context.hpp"
 
 namespace raycat::openscad {
 
-class Parameters;
-
-/// A shape moved by `offset`, in the frame of its node.
+/// A shape and where it stands in the frame of its node.
 struct Primitive {
   Shape shape;
-  glm::dvec3 offset{0.0};
+  glm::dmat4 frame{1.0};
 };
 
-/// Makes the solids of cube, sphere, cylinder and polyhedron nodes.
-class PrimitiveMaker {
- public:
-  /// `facets` is the rule where a node has none of its own.
-  PrimitiveMaker(std::filesystem::path file, const FacetRule& facets,
-                 std::vector<std::string>& warnings);
+/// Are round things as `LoadOptions::facets` asks, or in facets whatever it says, since what they
+/// are an operand of works on triangles?
+enum class Detail { as_asked, facets };
 
-  /// Nothing if the solid has no volume, as OpenSCAD sees it. Throws `LoadError` for a parameter
-  /// of the wrong type, a polyhedron that is not closed, or too many triangles in the file.
-  std::optional<Primitive> make(const Node& node);
+/// The solid of a cube, sphere, cylinder or polyhedron node; nothing if it has no volume, as
+/// OpenSCAD sees it. Throws `NodeError` for a parameter of the wrong type, a polyhedron that is not
+/// closed, or too many triangles in the file.
+std::optional<Primitive> solid_primitive(Context& context, const Node& node, Detail detail);
 
- private:
-  std::optional<Primitive> cube(const Node& node);
-  std::optional<Primitive> sphere(const Node& node);
-  std::optional<Primitive> cylinder(const Node& node);
-  std::optional<Primitive> polyhedron(const Node& node);
-
-  std::uint32_t corners(const Parameters& parameters, double radius) const;
-  void count_triangles(const Node& node, std::uint64_t triangles);
-  Shape closed(const Node& node, Facets facets) const;
-
-  std::filesystem::path file_;
-  FacetRule facets_;
-  std::vector<std::string>& warnings_;
-  std::uint64_t triangles_ = 0;
-};
+/// A mesh as a solid, turned inside out if its volume is negative. Throws `NodeError` if it is not
+/// closed.
+Shape closed(const Node& node, TriangleMesh mesh);
 
 }  // namespace raycat::openscad

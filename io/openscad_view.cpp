@@ -67,6 +67,8 @@ glm::dmat3 rotation(const glm::dvec3& degrees) {
 
 }  // namespace
 
+glm::dvec3 default_direction() { return rotation(Settings{}.rotation)[2]; }
+
 std::optional<Camera> view(const std::filesystem::path& file, const File& parsed) {
   Settings settings;
   bool any = false;

@@ -39,15 +39,15 @@ SceneFile read(const std::filesystem::path& file, const LoadOptions& options) {
     return read_gltf(file, options);
   }
   const std::string extension = lower_extension(file);
-  if (extension == ".csg") {
+  if (extension == ".csg" || extension == ".scad") {
     return read_openscad(file, options);
   }
   if (extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off") {
     return read_mesh_scene(file, options);
   }
   throw LoadError(file, "",
-                  "unknown kind of scene file: the name must end in .gltf, .glb, .csg, .obj, "
-                  ".ply, .stl or .off");
+                  "unknown kind of scene file: the name must end in .gltf, .glb, .csg, .scad, "
+                  ".obj, .ply, .stl or .off");
 }
 
 }  // namespace

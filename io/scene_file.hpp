@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,15 +19,23 @@ class LoadError : public std::runtime_error {
   LoadError(const std::filesystem::path& file, const std::string& place, const std::string& what);
 };
 
+/// How round things of .csg files are traced: in OpenSCAD's facets, or as what they stand for.
+enum class Facetting { openscad, smooth };
+
 struct LoadOptions {
   FaceRule faces;         ///< how mesh triangles join into faces
   double exposure = 0.0;  ///< EV: glTF's lights count 2^exposure times
+  Facetting facets = Facetting::openscad;
+  bool keep_going = false;  ///< warn of .csg nodes that cannot be made, and read the rest
 };
 
 /// A scene and what else its file tells.
 struct SceneFile {
   Scene scene;
-  glm::dvec3 up{0.0, 1.0, 0.0};         ///< +Z for .csg, .stl and .off; else +Y
+  glm::dvec3 up{0.0, 1.0, 0.0};  ///< +Z for .csg, .stl and .off; else +Y
+  /// From where a scene without a camera is seen, a unit vector; if it is nothing, from the front
+  /// right and above.
+  std::optional<glm::dvec3> viewed_from;
   std::uint64_t triangles = 0;          ///< of meshes, instances counted as drawn
   std::uint64_t csg_nodes = 0;          ///< leaves and operations, of trees with an operation
   bool closed = true;                   ///< does every object enclose a volume?
@@ -35,7 +44,7 @@ struct SceneFile {
 };
 
 /// Reads a scene file, its kind told by content and extension: glTF 2.0 (.gltf, .glb), OpenSCAD
-/// CSG (.csg), or a mesh (.obj, .ply, .stl, .off). Throws `LoadError`.
+/// CSG (.csg, .scad), or a mesh (.obj, .ply, .stl, .off). Throws `LoadError`.
 SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 }  // namespace raycat

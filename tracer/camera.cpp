@@ -43,17 +43,19 @@ Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3
   return camera;
 }
 
-Camera frame(const Bounds& bounds, const glm::dvec3& up, double aspect, bool orthographic) {
-  constexpr double margin = 1.08;
-  const bool nothing = bounds.empty() || !bounds.finite();
-  const Bounds box = nothing ? Bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)} : bounds;
-  // Front right and above: 35 degrees round, 25 degrees up, whichever axis is up.
+glm::dvec3 three_quarter(const glm::dvec3& up) {
   const glm::dvec3 side(1.0, 0.0, 0.0);
   const glm::dvec3 front = glm::cross(side, up);
   const double round = 0.6108652381980153;
   const double rise = 0.4363323129985824;
-  const glm::dvec3 towards_eye =
-      std::cos(rise) * (std::sin(round) * side + std::cos(round) * front) + std::sin(rise) * up;
+  return std::cos(rise) * (std::sin(round) * side + std::cos(round) * front) + std::sin(rise) * up;
+}
+
+Camera frame(const Bounds& bounds, const glm::dvec3& towards_eye, const glm::dvec3& up,
+             double aspect, bool orthographic) {
+  constexpr double margin = 1.08;
+  const bool nothing = bounds.empty() || !bounds.finite();
+  const Bounds box = nothing ? Bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)} : bounds;
   Camera camera = look_at(box.center() + towards_eye, box.center(), up);
 
   // The least distance, or half height, at which every corner of the box is in view.

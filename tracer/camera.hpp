@@ -26,9 +26,14 @@ struct Camera {
 /// coordinate is not finite. If `up` is along the view, another is chosen.
 Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
 
-/// Views `bounds` whole from a three-quarter view, for files without a camera: from the front
-/// right and above, with `up` (+Y or +Z) upright. `aspect` is width over height.
-Camera frame(const Bounds& bounds, const glm::dvec3& up, double aspect, bool orthographic);
+/// From the front right and above, 35 degrees round and 25 up: the unit vector towards the eye of a
+/// three-quarter view, with `up` (+Y or +Z) upright.
+glm::dvec3 three_quarter(const glm::dvec3& up);
+
+/// Views `bounds` whole from where `towards_eye`, a unit vector, points, with `up` upright: for
+/// files without a camera. `aspect` is width over height.
+Camera frame(const Bounds& bounds, const glm::dvec3& towards_eye, const glm::dvec3& up,
+             double aspect, bool orthographic);
 
 /// An image plane of `width` x `height` pixels for a camera.
 class ImagePlane {

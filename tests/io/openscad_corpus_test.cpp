@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,7 +80,11 @@ struct Comparison {
 
 // Rays of a grid along each axis. The grid is a little off, so that no ray runs in a face.
 Comparison compare(const Scene& scene, const ClosedMesh& reference) {
-  constexpr int side = 40;
+#ifdef NDEBUG
+  constexpr int side = 100;
+#else
+  constexpr int side = 30;
+#endif
   const Bounds box = reference.bounds();
   const double half_diagonal = glm::length(box.half_size());
   const double tolerance = 1e-4 * half_diagonal;
@@ -125,31 +128,19 @@ TEST_CASE("real .csg files are the solids that OpenSCAD evaluates them to", "[io
     WARN("skipped: no corpus");
     return;
   }
-  int compared = 0;
   for (const std::filesystem::path& file : files) {
     INFO(file.filename());
-    std::optional<SceneFile> scene;
-    try {
-      scene = load_scene(file);
-    } catch (const LoadError& error) {
-      const std::string what = error.what();
-      CHECK(what.find("not supported yet in .csg files") != std::string::npos);
-      CHECK(what.find(": line ") != std::string::npos);
-      CHECK(what.find('\n') == std::string::npos);
-      continue;
-    }
+    const SceneFile scene = load_scene(file);
     std::filesystem::path stl = file;
     TriangleMesh mesh = read_mesh_file(stl.replace_extension(".stl"));
     mesh.faces.assign(mesh.triangles.size(), 0);
     mesh.face_count = 1;
     const ClosedMesh reference(std::move(mesh));
-    const Comparison result = compare(scene->scene, reference);
+    const Comparison result = compare(scene.scene, reference);
     WARN(fmt::format("{}: {} objects, {} rays, {} bad", file.filename().string(),
-                     scene->scene.surfaces.objects(), result.rays, result.bad));
+                     scene.scene.surfaces.objects(), result.rays, result.bad));
     CHECK(result.bad == 0);
-    ++compared;
   }
-  CHECK(compared >= 18);
 }
 
 }  // namespace

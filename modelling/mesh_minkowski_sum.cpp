@@ -1,0 +1,68 @@
+#include "modelling/mesh_minkowski_sum.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "csg/tree.hpp"
+#include "modelling/convex_hull.hpp"
+#include "modelling/convex_parts.hpp"
+#include "modelling/evaluate.hpp"
+
+namespace raycat {
+namespace {
+
+using Corners = std::vector<glm::dvec3>;
+
+constexpr std::size_t most_sums = 100'000'000;
+
+std::size_t corners_of(const std::vector<Corners>& parts) {
+  std::size_t count = 0;
+  for (const Corners& part : parts) {
+    count += part.size();
+  }
+  return count;
+}
+
+// The sum of convex bodies is the hull of the sums of their corners.
+TriangleMesh sum(const Corners& a, const Corners& b) {
+  Corners sums;
+  sums.reserve(a.size() * b.size());
+  for (const glm::dvec3& p : a) {
+    for (const glm::dvec3& q : b) {
+      sums.push_back(p + q);
+    }
+  }
+  return convex_hull(sums);
+}
+
+}  // namespace
+
+TriangleMesh minkowski_sum(const TriangleMesh& a, const TriangleMesh& b) {
+  const std::vector<Corners> parts_of_a = convex_parts(a);
+  const std::vector<Corners> parts_of_b = convex_parts(b);
+  if (corners_of(parts_of_a) > most_sums / corners_of(parts_of_b)) {
+    throw std::runtime_error("too many corners to sum in pairs");
+  }
+  if (parts_of_a.size() == 1 && parts_of_b.size() == 1) {
+    return sum(parts_of_a.front(), parts_of_b.front());
+  }
+  CsgTree tree;
+  std::vector<CsgTree::NodeId> sums;
+  for (const Corners& p : parts_of_a) {
+    for (const Corners& q : parts_of_b) {
+      const auto first = static_cast<SurfaceId>(sums.size());
+      sums.push_back(tree.add({.shape = PlacedShape(std::make_shared<const ClosedMesh>(sum(p, q))),
+                               .first_face = first}));
+    }
+  }
+  tree.add(Operation::set_union, sums);
+  TriangleMesh united = evaluate(tree, {}).mesh;
+  united.faces.assign(united.triangles.size(), 0);
+  united.face_count = 1;
+  return united;
+}
+
+}  // namespace raycat
