@@ -19,30 +19,29 @@ namespace {
 
 const glm::vec3 black(0.0f);
 
-// The ball around all that is bounded and the camera's eye.
-double reach(const Scene& scene, const Camera& camera) {
-  Bounds all = bounds(scene);
+// The radius of the ball around all that is bounded, the camera's eye and the lights; not 0.
+double reach(Bounds all, const Scene& scene, const Camera& camera) {
   all.include(camera.eye);
   for (const Light& light : scene.lights) {
     if (light.kind != Light::Kind::directional) {
       all.include(light.position);
     }
   }
-  return glm::length(all.half_size());
+  const double radius = glm::length(all.half_size());
+  return radius > 0.0 ? radius : 1.0;
 }
 
 // POV-Ray's tolerances are absolute: it sees nothing past 1e7 and nothing smaller than about
 // 1e-4. Scenes of a usual size keep their numbers.
-double scale_for(double reach) {
-  return reach > 0.1 && reach < 1e4 ? 1.0 : reach > 0.0 ? 100.0 / reach : 1.0;
-}
+double scale_for(double reach) { return reach > 0.1 && reach < 1e4 ? 1.0 : 100.0 / reach; }
 
 class Writer {
  public:
   Writer(const Scene& scene, const PovPicture& picture)
       : scene_(scene),
         picture_(picture),
-        reach_(reach(scene, picture.camera)),
+        bounds_(bounds(scene)),
+        reach_(reach(bounds_, scene, picture.camera)),
         scale_(scale_for(reach_)),
         shapes_(scale_),
         specular_ratio_(specular_to_diffuse(scene.lights)) {}
@@ -99,8 +98,9 @@ class Writer {
     std::string more;
     glm::dvec3 from = light.position;
     if (light.kind == Light::Kind::directional) {
-      from = bounds_centre() - 1e3 * reach_ * light.direction;
-      more += fmt::format(" parallel point_at {}", pov_vector(scale_ * bounds_centre()));
+      const glm::dvec3 to = bounds_.empty() ? picture_.camera.eye : bounds_.center();
+      from = to - 1e3 * reach_ * light.direction;
+      more += fmt::format(" parallel point_at {}", pov_vector(scale_ * to));
     }
     if (light.kind == Light::Kind::spot) {
       more += fmt::format(" spotlight radius {} falloff {} tightness 0 point_at {}",
@@ -116,11 +116,6 @@ class Writer {
     out_ +=
         pov_comment(light.name) + fmt::format("light_source {{ {}, {}{} }}\n",
                                               pov_vector(scale_ * from), pov_colour(colour), more);
-  }
-
-  glm::dvec3 bounds_centre() const {
-    const Bounds box = bounds(scene_);
-    return box.empty() ? glm::dvec3(0.0) : box.center();
   }
 
   void add(const SolidObject& object) {
@@ -156,6 +151,7 @@ class Writer {
 
   const Scene& scene_;
   const PovPicture& picture_;
+  Bounds bounds_;
   double reach_;
   double scale_;
   PovShapes shapes_;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/gtx/component_wise.hpp>
 
 #include "io/pov_text.hpp"
 
@@ -45,16 +46,22 @@ std::string reflection(const Material& material) {
              : fmt::format(" reflection {{ {} }}", pov_colour(material.reflection));
 }
 
-std::string finish(const Material& material, const glm::vec3& pigment, float strength,
-                   float specular_ratio) {
-  std::string text = fmt::format("finish {{ ambient {} emission {} diffuse 1",
-                                 pov_colour(per(material.ambient, pigment)),
-                                 pov_colour(per(material.emission, pigment)));
-  const float highlight = strength * specular_ratio * mean(material.specular);
-  if (highlight > 0.0f && material.shininess > 0.0f) {
-    text += fmt::format(" specular {} roughness {}", highlight, 1.0f / material.shininess);
+std::string highlight(const Material& material, float specular_ratio) {
+  constexpr float least_shininess = 1e-3f;
+  const float strength = material.blend ? material.alpha : 1.0f;
+  return fmt::format(" specular {} roughness {}",
+                     strength * specular_ratio * glm::compMax(material.specular),
+                     1.0f / std::max(material.shininess, least_shininess));
+}
+
+// The surface's own light but for its highlight, and its reflection.
+std::string finish(const Material& material, const glm::vec3& pigment) {
+  std::string text =
+      fmt::format("ambient {} diffuse 1", pov_colour(per(material.ambient, pigment)));
+  if (material.emission != black) {
+    text += fmt::format(" emission {}", pov_colour(per(material.emission, pigment)));
   }
-  return text + reflection(material) + " }";
+  return text + reflection(material);
 }
 
 // What passes, by eq. (1)'s k_t at normal incidence; by POV-Ray's `conserve_energy` it is what
@@ -80,23 +87,33 @@ float specular_to_diffuse(const std::vector<Light>& lights) {
 }
 
 std::string pov_texture(const Material& material, float specular_ratio) {
-  const float strength = material.blend ? material.alpha : 1.0f;
-  const glm::vec3 pigment = pigment_of(material);
-  const std::string surface = finish(material, pigment, strength, specular_ratio);
   const glm::vec3 passes = passing(material);
+  const bool shines = material.specular != black;
+  const bool grey = material.specular == glm::vec3(material.specular.r);
+  const glm::vec3 own = pigment_of(material);
+  const glm::vec3 pigment = material.blend ? material.alpha * own : own;
+  const std::string surface =
+      finish(material, own) + (shines && grey ? highlight(material, specular_ratio) : "");
+  std::string text;
   if (passes == black) {
-    return fmt::format("texture {{ pigment {{ {} }} {} }}", pov_colour(strength * pigment),
-                       surface);
+    text =
+        fmt::format("texture {{ pigment {{ {} }} finish {{ {} }} }}", pov_colour(pigment), surface);
+  } else {
+    // In POV-Ray the more a surface lets through, the less of its own light is seen. So that has a
+    // layer of its own, which halves both, over one that only colours what passes. The upper layer
+    // comes last.
+    text = fmt::format(
+        "texture {{ pigment {{ {} filter 1 }} finish {{ ambient 0 diffuse 0 }} }}\n"
+        "texture {{ pigment {{ {} transmit 0.5 }} finish {{ {} }} }}",
+        pov_colour(2.0f * passes), pov_colour(2.0f * pigment), surface);
   }
-  // In POV-Ray the more a surface lets through, the less of its own light is seen; so that has a
-  // layer of its own, which halves both, over one that only colours what passes. The upper layer
-  // comes last.
-  constexpr float through = 0.5f;
-  return fmt::format(
-      "texture {{ pigment {{ {} filter 1 }} finish {{ ambient 0 diffuse 0 }} }}\n"
-      "texture {{ pigment {{ {} transmit {} }} {} }}",
-      pov_colour(passes / through), pov_colour(strength / (1.0f - through) * pigment), through,
-      surface);
+  if (shines && !grey) {
+    text += fmt::format(
+        "\ntexture {{ pigment {{ {} transmit 1 }} finish {{ ambient 0 diffuse 0{} metallic }} }}",
+        pov_colour(material.specular / glm::compMax(material.specular)),
+        highlight(material, specular_ratio));
+  }
+  return text;
 }
 
 std::string pov_interior(const Material& material) {

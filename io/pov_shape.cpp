@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -16,6 +15,39 @@
 
 namespace raycat {
 namespace {
+
+Shape resized(const Sphere& shape, double factor) {
+  return Sphere{.radius = factor * shape.radius};
+}
+
+Shape resized(const Box& shape, double factor) { return Box{.size = factor * shape.size}; }
+
+Shape resized(const Cylinder& shape, double factor) {
+  return Cylinder{.height = factor * shape.height,
+                  .radius_top = factor * shape.radius_top,
+                  .radius_bottom = factor * shape.radius_bottom};
+}
+
+Shape resized(const Capsule& shape, double factor) {
+  return Capsule{.height = factor * shape.height,
+                 .radius_top = factor * shape.radius_top,
+                 .radius_bottom = factor * shape.radius_bottom};
+}
+
+Shape resized(const HalfSpace& shape, double /*factor*/) { return shape; }
+
+Shape resized(const Torus& shape, double factor) {
+  return Torus{.radius = factor * shape.radius, .tube = factor * shape.tube};
+}
+
+Shape resized(const MeshShape& shape, double /*factor*/) { return shape; }
+
+// POV-Ray's tolerances are absolute, also where a shape is before it is transformed: by what a
+// shape of the size of this box should be multiplied, 1 for usual ones.
+double usual_size(const Bounds& box) {
+  const double size = box.empty() || !box.finite() ? 1.0 : glm::length(box.half_size());
+  return size == 0.0 || (size > 1e-2 && size < 1e4) ? 1.0 : 1.0 / size;
+}
 
 std::string sphere(double height, double radius) {
   return fmt::format("sphere {{ {}, {} }}", pov_vector({0, height, 0}), radius);
@@ -52,12 +84,12 @@ std::string open_shape(const Capsule& shape) {
   }
   const double sine = fall / shape.height;
   const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-  std::string text =
-      "merge { " + frustum(-half + sine * shape.radius_bottom, cosine * shape.radius_bottom,
-                           half + sine * shape.radius_top, cosine * shape.radius_top);
+  std::string text = fmt::format(
+      "merge {{ {}", frustum(-half + sine * shape.radius_bottom, cosine * shape.radius_bottom,
+                             half + sine * shape.radius_top, cosine * shape.radius_top));
   for (const auto& [height, radius] :
        {std::pair(-half, shape.radius_bottom), std::pair(half, shape.radius_top)}) {
-    text += radius > 0.0 ? " " + sphere(height, radius) : "";
+    text += radius > 0.0 ? fmt::format(" {}", sphere(height, radius)) : "";
   }
   return text;
 }
@@ -93,18 +125,19 @@ std::string list(std::string_view name, const std::vector<Item>& items, const Te
   return out + "\n  }\n";
 }
 
+std::string open_shape(const MeshShape& /*shape*/) { return ""; }  // declared apart
+
 }  // namespace
 
 std::string PovShapes::open(const PlacedShape& shape) {
-  return std::visit(
-      [&](const auto& one) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(one)>, MeshShape>) {
-          return open(declare(one->mesh(), {}, true), shape.transform());
-        } else {
-          return open_shape(one) + place(shape.transform().matrix());
-        }
-      },
-      shape.shape());
+  if (const auto* mesh = std::get_if<MeshShape>(&shape.shape())) {
+    return open(declare((*mesh)->mesh(), {}, true), shape.transform());
+  }
+  const double factor = usual_size(bounds(shape.shape()));
+  const Shape usual =
+      std::visit([&](const auto& one) { return resized(one, factor); }, shape.shape());
+  return std::visit([&](const auto& one) { return open_shape(one); }, usual) +
+         place(shape.transform(), {.factor = factor});
 }
 
 std::string PovShapes::open(const MeshInstance& instance) {
@@ -112,10 +145,14 @@ std::string PovShapes::open(const MeshInstance& instance) {
 }
 
 std::string PovShapes::open(const Declared& mesh, const Affine& transform) const {
-  return "object { " + mesh.name + place(glm::translate(transform.matrix(), mesh.centre));
+  return fmt::format("object {{ {}{}", mesh.name, place(transform, mesh.form));
 }
 
-std::string PovShapes::place(const glm::dmat4& matrix) const {
+std::string PovShapes::place(const Affine& transform, const Form& form) const {
+  glm::dmat4 matrix = glm::translate(transform.matrix(), form.centre);
+  if (form.factor != 1.0) {
+    matrix = glm::scale(matrix, glm::dvec3(1.0 / form.factor));
+  }
   return pov_matrix(scale_ == 1.0 ? matrix : glm::scale(glm::dvec3(scale_)) * matrix);
 }
 
@@ -130,11 +167,14 @@ const PovShapes::Declared& PovShapes::declare(const TriangleMesh& mesh,
   // POV-Ray keeps vertices in single precision, which must not go into a place far off.
   const Bounds box = bounds(mesh);
   if (!box.empty() && glm::length(box.center()) > glm::length(box.half_size())) {
-    declared.centre = box.center();
+    declared.form.centre = box.center();
   }
+  declared.form.factor = usual_size(box);
+  const Form form = declared.form;
   declarations_ += fmt::format("#declare {} = mesh2 {{\n", declared.name) +
-                   list("vertex_vectors", mesh.positions,
-                        [&](const glm::dvec3& v) { return pov_vector(v - declared.centre); });
+                   list("vertex_vectors", mesh.positions, [&](const glm::dvec3& v) {
+                     return pov_vector(form.factor * (v - form.centre));
+                   });
   if (!normals.empty()) {
     declarations_ += list("normal_vectors", normals,
                           [](const glm::vec3& n) { return pov_vector(glm::dvec3(n)); });

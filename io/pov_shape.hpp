@@ -23,13 +23,18 @@ class PovShapes {
   std::string take_declarations();
 
  private:
+  // What a point of a shape is written as: factor * (point - centre).
+  struct Form {
+    glm::dvec3 centre{0.0};
+    double factor = 1.0;
+  };
   struct Declared {
     std::string name;
-    glm::dvec3 centre{0.0};  // its vertices are relative to this
+    Form form;
   };
 
   std::string open(const Declared& mesh, const Affine& transform) const;
-  std::string place(const glm::dmat4& matrix) const;
+  std::string place(const Affine& transform, const Form& form) const;
   const Declared& declare(const TriangleMesh& mesh, const std::vector<glm::vec3>& normals,
                           bool closed);
 

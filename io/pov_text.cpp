@@ -37,7 +37,7 @@ std::string pov_comment(const std::string& text) {
   std::string safe = text;
   std::ranges::replace_if(
       safe, [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
-  return "// " + safe + "\n";
+  return fmt::format("// {}\n", safe);
 }
 
 }  // namespace raycat

@@ -67,28 +67,19 @@ std::string pov_tree(const CsgTree& tree, bool merge,
     bool done = false;  // all that is below it is written
   };
   std::vector<Step> steps{{.node = static_cast<std::uint32_t>(all.size() - 1)}};
-  std::size_t depth = 0;
-  const auto close = [&] {
-    if (depth > 0) {
-      text += " }\n";
-    }
-  };
   while (!steps.empty()) {
     const Step step = steps.back();
     steps.pop_back();
     const Node& node = tree.nodes()[step.node];
     const Place& place = all[step.node];
     if (step.done) {
-      --depth;
-      close();
+      text += "}\n";
     } else if (node.leaf != CsgTree::no_leaf) {
-      text += open(tree.leaves()[node.leaf], node.leaf);
-      close();
+      text += open(tree.leaves()[node.leaf], node.leaf) + " }\n";
     } else {
       if (place.written) {
         text += word(node.operation, merge);
         text += '\n';
-        ++depth;
         steps.push_back({.node = step.node, .done = true});
       }
       for (auto i = place.operands.rbegin(); i != place.operands.rend(); ++i) {
@@ -96,6 +87,7 @@ std::string pov_tree(const CsgTree& tree, bool merge,
       }
     }
   }
+  text.resize(text.size() - 2);  // the root's own closing brace and line end
   return text;
 }
 

@@ -1,5 +1,6 @@
-// fig10.gltf against POV-Ray on the same scene, one thread each, without antialiasing. POV-Ray's
-// time is what it prints of its own tracing; ours is that of render(), categories and all.
+// fig10.gltf against POV-Ray on the same scene as `convert` writes it, one thread each, without
+// antialiasing. POV-Ray's time is what it prints of its own tracing; ours is that of render(),
+// categories and all.
 
 #include <optional>
 #include <string>
@@ -7,11 +8,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "io/pov_file.hpp"
 #include "io/scene_file.hpp"
 #include "render/render.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/povray_time.hpp"
 #include "tests/bench/ratio_report.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raycat::bench {
 namespace {
@@ -23,9 +26,11 @@ void fig10(benchmark::State& state) {
   const Accel accel(loaded.scene);
   const Camera& camera = loaded.scene.cameras.front();
   const RenderSettings settings{.width = image_side, .height = image_side};
+  const TemporaryFolder folder;
+  write_pov(folder / "fig10.pov", loaded.scene,
+            {.camera = camera, .width = image_side, .height = image_side});
   for ([[maybe_unused]] auto _ : state) {
-    const std::optional<double> povray =
-        povray_trace_seconds(RAYCAT_BENCH "/fig10.pov", image_side);
+    const std::optional<double> povray = povray_trace_seconds(folder / "fig10.pov", image_side);
     if (!povray) {
       state.SkipWithError("povray does not trace fig10.pov");
       break;
