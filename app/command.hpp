@@ -63,6 +63,7 @@ void add_info(CLI::App& app);
 void add_probe(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_study(CLI::App& app);
+void add_measure(CLI::App& app);
 void add_convert(CLI::App& app);
 
 }  // namespace raycat::app

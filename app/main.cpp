@@ -91,6 +91,7 @@ int run(int argc, char** argv) {
   add_probe(app);
   add_compare(app);
   add_study(app);
+  add_measure(app);
   add_convert(app);
   require_known_subcommand(app, argc, argv);
   try {
