@@ -54,15 +54,34 @@ bool faces_up(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return CGAL::left_turn(Point(a.x, a.y), Point(b.x, b.y), Point(c.x, c.y));
 }
 
+// Those of either sense, each as one that faces up.
+Polygons faces_in_plane(const TriangleMesh& mesh, const std::vector<bool>& open_faces) {
+  std::vector<WindingEdge> edges;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t face = mesh.faces[i];
+    const glm::uvec3& t = mesh.triangles[i];
+    const glm::dvec3& a = mesh.positions[t.x];
+    const glm::dvec3& b = mesh.positions[t.y];
+    const glm::dvec3& c = mesh.positions[t.z];
+    const bool is_open = face < open_faces.size() && open_faces[face];
+    if (!is_open && a.z == 0.0 && b.z == 0.0 && c.z == 0.0) {
+      add_edges(Contour{a, b, c}, faces_up(a, b, c) ? 1 : -1, edges);
+    }
+  }
+  return wound_region(edges);
+}
+
 }  // namespace
 
-Polygons section(const TriangleMesh& closed) {
+// What lies in the solid has it on both sides of the plane, or is of a face that lies in it.
+Polygons section(const TriangleMesh& closed, const std::vector<bool>& open_faces) {
   const Polygons above = section_beside(closed, [](double z) { return z > 0.0; });
   if (std::ranges::none_of(closed.positions, [](const glm::dvec3& p) { return p.z == 0.0; })) {
     return above;
   }
-  return combined(Operation::set_union,
-                  std::array{above, section_beside(closed, [](double z) { return z >= 0.0; })});
+  const Polygons below = section_beside(closed, [](double z) { return z >= 0.0; });
+  const Polygons within = combined(Operation::intersection, std::array{above, below});
+  return combined(Operation::set_union, std::array{within, faces_in_plane(closed, open_faces)});
 }
 
 // An edge between two triangles that face up is inside the shadow, and is left out.
