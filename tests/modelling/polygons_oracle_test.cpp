@@ -12,19 +12,10 @@
 #include "modelling/polygons.hpp"
 #include "modelling/projection.hpp"
 #include "tests/modelling/openscad_oracle.hpp"
+#include "tests/modelling/sample_contours.hpp"
 
 namespace raycat {
 namespace {
-
-Contour random_contour(std::mt19937& random, int corners, double size) {
-  std::uniform_real_distribution<double> place(-size, size);
-  Contour out;
-  for (int i = 0; i < corners; ++i) {
-    // OpenSCAD's plane has a grid, on which slivers would come out otherwise.
-    out.emplace_back(std::round(place(random)), std::round(place(random)));
-  }
-  return out;
-}
 
 // One that does not cross itself, star-shaped about the origin.
 Contour random_star(std::mt19937& random, int corners, double size) {
