@@ -2,12 +2,14 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/minkowski_sum_2.h>
+#include <fmt/format.h>
 
 #include "modelling/polygons.hpp"
 #include "modelling/triangulation.hpp"
@@ -106,6 +108,27 @@ void add_contour(const Simple& polygon, std::vector<WindingEdge>& out) {
   add_edges(contour, 1, out);
 }
 
+std::size_t corners(const Piece& piece) {
+  std::size_t sum = piece.outer_boundary().size();
+  for (const Simple& hole : piece.holes()) {
+    sum += hole.size();
+  }
+  return sum;
+}
+
+bool is_convex(const Piece& piece) {
+  return piece.number_of_holes() == 0 && piece.outer_boundary().is_convex();
+}
+
+// What is not convex costs a sum of edges for each two of them, and those cross.
+void check_size(const Piece& p, const Piece& q) {
+  const std::size_t most = is_convex(p) || is_convex(q) ? 1'000'000 : 100'000;
+  if (corners(p) > most / corners(q)) {
+    throw std::length_error(fmt::format(
+        "a Minkowski sum of polygons with {} and {} corners is too large", corners(p), corners(q)));
+  }
+}
+
 }  // namespace
 
 Polygons minkowski_sum(const Polygons& a, const Polygons& b) {
@@ -114,6 +137,7 @@ Polygons minkowski_sum(const Polygons& a, const Polygons& b) {
   std::vector<WindingEdge> edges;
   for (const Piece& p : of_a) {
     for (const Piece& q : of_b) {
+      check_size(p, q);
       const Piece sum = CGAL::minkowski_sum_2(p, q);
       add_contour(sum.outer_boundary(), edges);
       for (const Simple& hole : sum.holes()) {

@@ -24,7 +24,7 @@ struct Polygons {
 /// What is enclosed by an odd number of the contours, whichever way they run and however they
 /// cross. This is OpenSCAD's `polygon(points, paths)`. Corners that lie in a straight edge are
 /// dropped, here and in all that follows. Throws `std::invalid_argument` if a coordinate is not
-/// finite.
+/// finite, and `std::length_error` if edges meet in more than 200 000 places besides corners.
 Polygons even_odd(std::span<const Contour> contours);
 
 /// The union or intersection of all, or the first minus the others. Nothing, if given nothing.
@@ -37,7 +37,8 @@ Polygons transformed(const Polygons& polygons, const glm::dmat3x2& map);
 /// The convex hull of all together.
 Polygons hull(std::span<const Polygons> operands);
 
-/// All sums of a point of one and a point of the other.
+/// All sums of a point of one and a point of the other. Throws `std::length_error` if the numbers
+/// of corners of two pieces multiply to more than a million, or 100 000 if neither is convex.
 Polygons minkowski_sum(const Polygons& a, const Polygons& b);
 
 /// Without the holes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
@@ -125,8 +126,13 @@ std::optional<std::vector<glm::uvec3>> triangles(const Polygons& polygons) {
   }
   wind(delaunay, turns);
   for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
-    if (face->info().winding > 0) {
-      out.emplace_back(face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info());
+    // Regular polygons wind about everything once or not at all, but rounding may have turned a
+    // sliver over.
+    const int winding = face->info().winding;
+    const int next = winding > 0 ? 1 : 2;
+    for (int i = 0; i < std::abs(winding); ++i) {
+      out.emplace_back(face->vertex(0)->info(), face->vertex(next)->info(),
+                       face->vertex(3 - next)->info());
     }
   }
   return out;

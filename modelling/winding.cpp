@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 
 #include <CGAL/Arr_curve_data_traits_2.h>
@@ -20,7 +21,36 @@ struct Sum {
   int operator()(int a, int b) const { return a + b; }
 };
 
-using Traits = CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, int, Sum>;
+// Straight edges, until there are too many places where they meet: n edges may cross n^2 times.
+class LimitedSegments : public CGAL::Arr_segment_traits_2<Kernel> {
+ public:
+  class Intersect_2 {
+   public:
+    Intersect_2(const LimitedSegments& traits)
+        : intersect_(traits.Arr_segment_traits_2::intersect_2_object()),
+          left_(traits.left_.get()) {}
+
+    template <typename Out>
+    Out operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b, Out out) const {
+      if (--*left_ < 0) {
+        throw std::length_error("polygons cross each other in too many places");
+      }
+      return intersect_(a, b, out);
+    }
+
+   private:
+    CGAL::Arr_segment_traits_2<Kernel>::Intersect_2 intersect_;
+    std::int64_t* left_;
+  };
+
+  Intersect_2 intersect_2_object() const { return {*this}; }
+  void allow(std::int64_t crossings) { *left_ = crossings; }
+
+ private:
+  std::shared_ptr<std::int64_t> left_ = std::make_shared<std::int64_t>(0);  // of all copies
+};
+
+using Traits = CGAL::Arr_curve_data_traits_2<LimitedSegments, int, Sum>;
 
 struct Face {
   int winding = 0;
@@ -35,7 +65,7 @@ using Edge = Plane::Halfedge_handle;
 
 bool is_finite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-Plane arrangement(std::span<const WindingEdge> edges) {
+void arrange(std::span<const WindingEdge> edges, Plane& plane) {
   std::vector<Traits::Curve_2> curves;
   curves.reserve(edges.size());
   for (const auto& [from, to, turns] : edges) {
@@ -49,7 +79,6 @@ Plane arrangement(std::span<const WindingEdge> edges) {
     const bool rises = from.x < to.x || (from.x == to.x && from.y < to.y);
     curves.emplace_back(segment, rises ? turns : -turns);
   }
-  Plane plane;
   CGAL::insert(plane, curves.begin(), curves.end());
   for (Edge edge = plane.halfedges_begin(); edge != plane.halfedges_end(); ++edge) {
     edge->set_data(false);
@@ -57,7 +86,6 @@ Plane arrangement(std::span<const WindingEdge> edges) {
   for (auto corner = plane.vertices_begin(); corner != plane.vertices_end(); ++corner) {
     corner->set_data(nowhere);
   }
-  return plane;
 }
 
 int turns_to_the_left(const Edge& edge) {
@@ -176,7 +204,12 @@ void follow(const Edge& first, std::vector<Edge>& path, Polygons& out) {
 
 template <typename Inside>
 Polygons region(std::span<const WindingEdge> edges, Inside inside) {
-  Plane plane = arrangement(edges);
+  constexpr std::int64_t most_crossings = 200'000;
+  constexpr std::int64_t for_each_edge = 8;  // meets its neighbours
+  Traits traits;
+  traits.allow(most_crossings + for_each_edge * static_cast<std::int64_t>(edges.size()));
+  Plane plane(&traits);
+  arrange(edges, plane);
   wind(plane, inside);
   Polygons out;
   std::vector<Edge> path;

@@ -201,6 +201,18 @@ TEST_CASE("large, small and bad coordinates are no matter", "[modelling][polygon
   CHECK(even_odd(std::vector<Contour>{{}, {{1, 1}}, {{1, 1}, {2, 2}}}).contours.empty());
 }
 
+TEST_CASE("a contour that crosses itself too often is refused", "[modelling][polygons]") {
+  std::mt19937 random(4);
+  CHECK_THROWS_WITH(even_odd(std::vector<Contour>{random_contour(random, 5000, 1e6)}),
+                    "polygons cross each other in too many places");
+}
+
+TEST_CASE("a Minkowski sum of large contours is refused", "[modelling][polygons]") {
+  const Polygons disc{{circle(1.0, 2000)}};
+  CHECK_THROWS_WITH(minkowski_sum(disc, disc),
+                    "a Minkowski sum of polygons with 2000 and 2000 corners is too large");
+}
+
 TEST_CASE("a large contour takes a moment", "[modelling][polygons]") {
   const Polygons disc{{circle(10.0, 100'000)}};
   const Polygons cut =
