@@ -4,14 +4,20 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
+#include "io/glb_file.hpp"
 #include "io/input_file.hpp"
+#include "io/obj_file.hpp"
+#include "io/object_mesh.hpp"
 #include "io/output_file.hpp"
+#include "io/ply_file.hpp"
 #include "io/pov_file.hpp"
+#include "io/stl_file.hpp"
 
 namespace raycat::app {
 namespace {
@@ -33,12 +39,65 @@ Json to_pov(const ConvertOptions& options, SceneFile& file) {
   return {{"objects", file.scene.surfaces.objects()}, {"lights", file.scene.lights.size()}};
 }
 
+void warn_of_absent(const std::vector<ObjectMesh>& objects, SceneFile& file) {
+  const std::vector<std::string> lines = without_parts(file.scene.surfaces, objects);
+  file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
+}
+
+// Triangles for formats that know nothing else.
+template <typename Write>
+Json to_mesh(const ConvertOptions& options, SceneFile& file, Write&& write) {
+  const std::vector<ObjectMesh> objects = object_meshes(file.scene, options.chord_error);
+  std::size_t triangles = 0;
+  std::size_t written = 0;
+  for (const ObjectMesh& object : objects) {
+    written += object.parts.empty() ? 0U : 1U;
+    for (const ObjectMesh::Part& part : object.parts) {
+      triangles += part.mesh.triangles.triangles.size();
+    }
+  }
+  if (triangles == 0) {
+    throw UsageError(
+        fmt::format("{}: holds no surface that can be made of triangles", options.common.scene));
+  }
+  write(objects);
+  return {{"objects", written}, {"triangles", triangles}};
+}
+
+Json to_glb(const ConvertOptions& options, SceneFile& file) {
+  return to_mesh(options, file, [&](const std::vector<ObjectMesh>& objects) {
+    write_glb(options.out, file.scene, objects, file.warnings);
+  });
+}
+
+Json to_obj(const ConvertOptions& options, SceneFile& file) {
+  return to_mesh(options, file, [&](const std::vector<ObjectMesh>& objects) {
+    warn_of_absent(objects, file);
+    write_obj(options.out, file.scene.surfaces, objects);
+  });
+}
+
+Json to_ply(const ConvertOptions& options, SceneFile& file) {
+  return to_mesh(options, file, [&](const std::vector<ObjectMesh>& objects) {
+    warn_of_absent(objects, file);
+    write_ply(options.out, file.scene.surfaces, objects);
+  });
+}
+
+Json to_stl(const ConvertOptions& options, SceneFile& file) {
+  return to_mesh(options, file, [&](const std::vector<ObjectMesh>& objects) {
+    warn_of_absent(objects, file);
+    write_stl(options.out, objects);
+  });
+}
+
 struct Format {
   std::string_view extension;
   Writer write;
 };
 
-constexpr std::array formats{Format{".pov", to_pov}};
+constexpr std::array formats{Format{".glb", to_glb}, Format{".obj", to_obj}, Format{".ply", to_ply},
+                             Format{".pov", to_pov}, Format{".stl", to_stl}};
 
 const Format& format_of(const std::string& path) {
   const std::string extension = lower_extension(path);
@@ -80,11 +139,21 @@ void convert(const ConvertOptions& options) {
 void add_convert(CLI::App& app) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* command =
-      app.add_subcommand("convert", "Write a scene for other programs: .pov for POV-Ray");
+      app.add_subcommand("convert",
+                         "Write a scene for other programs: as triangles that know their faces, or "
+                         "for POV-Ray");
   add_common(*command, options->common);
-  command->add_option("-o,--out", options->out, "The file, its kind told by its extension: .pov")
+  command
+      ->add_option("-o,--out", options->out,
+                   "The file, its kind told by its extension: .glb .obj .ply .stl .pov")
       ->type_name("FILE")
       ->required();
+  command
+      ->add_option("--chord", options->chord_error,
+                   "How far triangles may be from curved surfaces, in half diagonals of the "
+                   "object; 0.001 by default")
+      ->type_name("E")
+      ->check(number_in(1e-5, 0.5));
   add_view(*command, options->view);
   command->callback([options] { convert(*options); });
 }

@@ -12,6 +12,7 @@ struct ConvertOptions {
   CommonOptions common;
   ViewOptions view;  ///< of formats that hold a camera
   std::string out;
+  double chord_error = 1e-3;  ///< of what curved surfaces become, in half diagonals of the object
 };
 
 }  // namespace raycat::app

@@ -23,10 +23,10 @@ using nlohmann::json;
 
 // Without what these say, triangles would be read wrongly or not at all.
 constexpr auto read_extensions = std::to_array<std::string_view>(
-    {"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",
-     "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
-     "KHR_materials_volume", "KHR_mesh_quantization", "KHR_texture_transform",
-     "KHR_materials_pbrSpecularGlossiness"});
+    {"EXT_mesh_features", "KHR_lights_punctual", "KHR_materials_emissive_strength",
+     "KHR_materials_ior", "KHR_materials_specular", "KHR_materials_transmission",
+     "KHR_materials_unlit", "KHR_materials_volume", "KHR_mesh_quantization",
+     "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"});
 
 bool contains(const auto& range, std::string_view name) {
   return std::ranges::find(range, name) != std::end(range);

@@ -1,6 +1,7 @@
 #include "io/gltf_mesh.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,14 +79,34 @@ const GltfMesh& GltfMeshes::mesh(std::size_t number) {
 
 MeshShape GltfMeshes::solid(std::size_t number) {
   if (!solids_[number]) {
-    solids_[number] = std::make_shared<const ClosedMesh>(joined(triangles(mesh(number))));
+    const GltfMesh& from = mesh(number);
+    TriangleMesh all = joined(triangles(from));
+    if (from.names) {
+      all.faces.clear();
+      for (const TriangleMesh* primitive : triangles(from)) {
+        all.faces.insert(all.faces.end(), primitive->faces.begin(), primitive->faces.end());
+      }
+    }
+    solids_[number] = std::make_shared<const ClosedMesh>(std::move(all));
   }
   return solids_[number];
+}
+
+// Other tools may have kept the extras, but not the features that they name.
+std::optional<FeatureNames> GltfMeshes::names(std::size_t number) {
+  for (const auto& primitive : document_.json["meshes"][number]["primitives"]) {
+    const auto extensions = primitive.find("extensions");
+    if (extensions == primitive.end() || !extensions->contains("EXT_mesh_features")) {
+      return std::nullopt;
+    }
+  }
+  return feature_names(document_, number);
 }
 
 GltfMesh GltfMeshes::read(std::size_t number) {
   const auto& from = document_.model.meshes[number].primitives;
   GltfMesh mesh;
+  mesh.names = names(number);
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!from[i].targets.empty()) {
       document_.warnings.push_back(
@@ -95,8 +116,9 @@ GltfMesh GltfMeshes::read(std::size_t number) {
     if (from[i].material >= 0) {
       material = static_cast<std::size_t>(from[i].material);
     }
-    const auto surface = read_primitive(
-        document_, number, i, material ? &materials_[*material] : nullptr, faces_, corners_left_);
+    const auto surface =
+        read_primitive(document_, number, i, material ? &materials_[*material] : nullptr, faces_,
+                       mesh.names ? &*mesh.names : nullptr, corners_left_);
     if (surface && !surface->triangles.triangles.empty()) {
       mesh.primitives.push_back({.mesh = surface,
                                  .material = material,

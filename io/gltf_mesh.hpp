@@ -9,6 +9,7 @@
 #include "geometry/mesh_faces.hpp"
 #include "geometry/shape.hpp"
 #include "io/gltf_document.hpp"
+#include "io/gltf_features.hpp"
 #include "io/gltf_material.hpp"
 #include "tracer/scene.hpp"
 
@@ -24,6 +25,7 @@ struct GltfPrimitive {
 struct GltfMesh {
   std::vector<GltfPrimitive> primitives;  ///< those that are made of triangles
   bool closed = false;                    ///< do they enclose a volume together?
+  std::optional<FeatureNames> names;      ///< by which all count their faces, if there are
 };
 
 /// The meshes of a document, each read when it is first asked for and shared by its instances.
@@ -42,6 +44,7 @@ class GltfMeshes {
 
  private:
   GltfMesh read(std::size_t number);
+  std::optional<FeatureNames> names(std::size_t number);
 
   GltfDocument& document_;
   const std::vector<GltfMaterial>& materials_;

@@ -32,12 +32,14 @@ class PrimitiveReader {
  public:
   PrimitiveReader(GltfDocument& document, std::size_t mesh, std::size_t primitive)
       : document_(document),
+        mesh_(mesh),
+        primitive_(primitive),
         from_(document.model.meshes[mesh].primitives[primitive]),
         place_(fmt::format("meshes[{}]", mesh)),
         path_(fmt::format("primitives[{}]", primitive)) {}
 
   std::shared_ptr<const SurfaceMesh> read(const GltfMaterial* material, const FaceRule& faces,
-                                          std::uint64_t& corners_left) {
+                                          const FeatureNames* names, std::uint64_t& corners_left) {
     const auto positions = attribute("POSITION", 3, 3);
     if (from_.mode < TINYGLTF_MODE_TRIANGLES || from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
       if (from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -61,7 +63,14 @@ class PrimitiveReader {
     read_normals(vertices, positions->size(), *mesh);
     read_coordinates(material, vertices, positions->size(), *mesh);
     read_colours(vertices, positions->size(), *mesh);
-    group(faces, *mesh);
+    if (const auto features =
+            feature_ids(document_, mesh_, primitive_, vertices, positions->size())) {
+      take_features(*features, names, mesh->triangles);
+    } else if (names != nullptr) {
+      fail("extras.raycat: names features, but none can be read");
+    } else {
+      group(faces, *mesh);
+    }
     return mesh;
   }
 
@@ -259,6 +268,27 @@ class PrimitiveReader {
     }
   }
 
+  // A triangle is of the feature of its first corner, as all of its corners should be.
+  void take_features(const FeatureIds& features, const FeatureNames* names,
+                     TriangleMesh& mesh) const {
+    mesh.face_count = features.count;
+    for (const glm::uvec3& corners : mesh.triangles) {
+      mesh.faces.push_back(features.of_vertex[corners.x]);
+    }
+    if (names == nullptr) {
+      return;
+    }
+    mesh.face_count = 0;
+    for (std::uint32_t& face : mesh.faces) {
+      if (face >= names->faces.size()) {
+        fail(fmt::format("extras.raycat: features: feature {} is not among the {}", face,
+                         names->faces.size()));
+      }
+      face = names->faces[face];
+      mesh.face_count = std::max(mesh.face_count, face + 1);
+    }
+  }
+
   static void group(const FaceRule& rule, SurfaceMesh& mesh) {
     TriangleMesh& triangles = mesh.triangles;
     std::vector<glm::vec3> corner_normals;
@@ -276,6 +306,8 @@ class PrimitiveReader {
   }
 
   GltfDocument& document_;
+  std::size_t mesh_;
+  std::size_t primitive_;
   const tinygltf::Primitive& from_;
   std::string place_;
   std::string path_;
@@ -286,9 +318,9 @@ class PrimitiveReader {
 std::shared_ptr<const SurfaceMesh> read_primitive(GltfDocument& document, std::size_t mesh,
                                                   std::size_t primitive,
                                                   const GltfMaterial* material,
-                                                  const FaceRule& faces,
+                                                  const FaceRule& faces, const FeatureNames* names,
                                                   std::uint64_t& corners_left) {
-  return PrimitiveReader(document, mesh, primitive).read(material, faces, corners_left);
+  return PrimitiveReader(document, mesh, primitive).read(material, faces, names, corners_left);
 }
 
 }  // namespace raycat

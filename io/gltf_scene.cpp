@@ -119,11 +119,15 @@ class SceneReader {
     SceneFile& out = assembly_.out;
     const std::string name = document_.node_name(node);
     assembly_.add_object(name);
+    const std::optional<SurfaceId> named =
+        mesh.names ? std::optional(add_named(*mesh.names)) : std::nullopt;
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       const GltfPrimitive& primitive = mesh.primitives[i];
-      const SurfaceId first = assembly_.add_primitive(
-          mesh.primitives.size() == 1 ? name : fmt::format("{}.{}", name, i),
-          primitive.mesh->triangles.face_count);
+      const SurfaceId first =
+          named ? *named
+                : assembly_.add_primitive(
+                      mesh.primitives.size() == 1 ? name : fmt::format("{}.{}", name, i),
+                      primitive.mesh->triangles.face_count);
       out.scene.meshes.push_back({.mesh = primitive.mesh,
                                   .transform = transform,
                                   .material = material(primitive.material),
@@ -131,6 +135,15 @@ class SceneReader {
       out.triangles += primitive.triangles;
     }
     out.closed = out.closed && mesh.closed;
+  }
+
+  // Adds the primitives of a mesh that says what they are, and returns the first face.
+  SurfaceId add_named(const FeatureNames& names) {
+    const SurfaceId first{static_cast<std::uint32_t>(assembly_.out.scene.surfaces.faces())};
+    for (const FeatureNames::Primitive& primitive : names.primitives) {
+      assembly_.add_primitive(primitive.name, primitive.faces);
+    }
+    return first;
   }
 
   void read_solid(std::size_t node, const NodeExtras& extras) {

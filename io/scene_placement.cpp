@@ -42,6 +42,10 @@ std::string placed(const std::string& name, const Placement& placement) {
   return placement.name + "/" + name;
 }
 
+std::uint32_t distance(SurfaceId from, SurfaceId to) {
+  return static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from);
+}
+
 std::string primitive_name(const Scene& scene, SurfaceId face) {
   return scene.surfaces.name(scene.surfaces.primitive(face));
 }
@@ -83,6 +87,24 @@ CsgTree::NodeId add_tree(const Scene& part, const SolidObject& solid, const Plac
   return copies.back();
 }
 
+// Adds copies of the primitives of the object that begins at `face`, and returns the first face.
+SurfaceId add_primitives(const Scene& part, SurfaceId face, const Placement& placement,
+                         SceneAssembly& to) {
+  const SurfaceId first{static_cast<std::uint32_t>(to.out.scene.surfaces.faces())};
+  const ObjectId object = part.surfaces.object(face);
+  for (auto begin = static_cast<std::uint32_t>(face);
+       begin < part.surfaces.faces() && part.surfaces.object(SurfaceId{begin}) == object;) {
+    const PrimitiveId primitive = part.surfaces.primitive(SurfaceId{begin});
+    std::uint32_t end = begin;
+    while (end < part.surfaces.faces() && part.surfaces.primitive(SurfaceId{end}) == primitive) {
+      ++end;
+    }
+    to.add_primitive(placed(part.surfaces.name(primitive), placement), end - begin);
+    begin = end;
+  }
+  return first;
+}
+
 // All meshes of an object close a volume together, each where it stands.
 CsgTree::NodeId add_meshes(const Scene& part, std::span<const MeshInstance* const> meshes,
                            const Placement& placement, SceneAssembly& to, TreeAssembly& tree) {
@@ -101,7 +123,16 @@ CsgTree::NodeId add_meshes(const Scene& part, std::span<const MeshInstance* cons
   for (const TriangleMesh& mesh : moved) {
     pointers.push_back(&mesh);
   }
-  PlacedShape shape(std::make_shared<const ClosedMesh>(joined(pointers)), Affine(placement.world));
+  TriangleMesh all = joined(pointers);
+  // Meshes of several materials may be of one primitive, so faces are counted through the object.
+  all.faces.clear();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::uint32_t before = distance(meshes.front()->first_face, meshes[i]->first_face);
+    for (const std::uint32_t face : moved[i].faces) {
+      all.faces.push_back(before + face);
+    }
+  }
+  PlacedShape shape(std::make_shared<const ClosedMesh>(std::move(all)), Affine(placement.world));
   const SurfaceId first = to.add_primitive(
       placed(primitive_name(part, meshes.front()->first_face), placement), shape.face_count());
   tree.materials.push_back(placed(meshes.front()->material, placement));
@@ -135,14 +166,16 @@ void place_objects(const Scene& part, const Placement& placement, SceneAssembly&
       to.out.scene.solids.push_back(
           {.solid = Solid(std::move(tree.tree)), .materials = std::move(tree.materials)});
     }
-    for (const MeshInstance* mesh : all[i].meshes) {
-      const SurfaceId first =
-          to.add_primitive(placed(primitive_name(part, mesh->first_face), placement),
-                           mesh->mesh->triangles.face_count);
-      to.out.scene.meshes.push_back({.mesh = mesh->mesh,
-                                     .transform = placed(mesh->transform, placement),
-                                     .material = placed(mesh->material, placement),
-                                     .first_face = first});
+    if (!all[i].meshes.empty()) {
+      const SurfaceId from = all[i].meshes.front()->first_face;
+      const auto first = static_cast<std::uint32_t>(add_primitives(part, from, placement, to));
+      for (const MeshInstance* mesh : all[i].meshes) {
+        to.out.scene.meshes.push_back(
+            {.mesh = mesh->mesh,
+             .transform = placed(mesh->transform, placement),
+             .material = placed(mesh->material, placement),
+             .first_face = SurfaceId{first + distance(from, mesh->first_face)}});
+      }
     }
   }
 }
