@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/prefetch.hpp"
 #include "csg/tree.hpp"
 
 namespace raycat {
@@ -29,12 +30,19 @@ class HeavyPaths {
   /// Is the leaf's outside on the solid's side: is it under an odd number of complements?
   bool subtracted(std::uint32_t leaf) const noexcept { return leaf_subtracted_[leaf] != 0; }
 
+  /// For `State::prefetch`.
+  void prefetch(std::uint32_t leaf) const noexcept { raycat::prefetch(&slot_of_leaf_[leaf]); }
+
  private:
   enum class Kind : std::uint8_t { all, any, leaf };
 
-  struct Path {
-    std::uint32_t top = 0;     // a slot
+  // What does not change about a node, together, so that climbing by a node waits for memory once.
+  struct Place {
+    std::uint32_t top = 0;     // of its path, a slot
     std::uint32_t parent = 0;  // the slot of the top's parent, or `no_slot`
+    // While every leaf is outside: how many light operands decide a node; whether a leaf is true.
+    std::uint32_t initial = 0;
+    Kind kind = Kind::leaf;
   };
 
   static constexpr std::uint32_t no_slot = ~std::uint32_t{0};
@@ -43,15 +51,12 @@ class HeavyPaths {
   void set_up(const CsgTree& tree, const std::vector<std::uint8_t>& subtracted);
   void summarize();
 
-  // Nodes by slot: path by path, and down each path.
-  std::vector<Path> paths_;
-  std::vector<std::uint32_t> path_of_;       // of each slot
+  // Nodes by slot: path by path, and down each path; after it those that end at it, the lowest
+  // first. What is near in the tree is near in memory.
+  std::vector<Place> places_;
   std::vector<std::uint32_t> slot_of_node_;  // while building
   std::vector<std::uint32_t> slot_of_leaf_;
   std::vector<std::uint8_t> leaf_subtracted_;
-  std::vector<Kind> kind_;  // of each slot
-  // While every leaf is outside: how many light operands decide a node; whether a leaf is true.
-  std::vector<std::uint32_t> initial_;
   // A bit a slot, set for leaves and decided nodes; above it, level by level, a bit a word: is any
   // bit of the word set? All levels one after the other, the last of one word.
   std::vector<std::uint64_t> words_;
@@ -65,6 +70,12 @@ class HeavyPaths::State {
 
   /// Changes the side of a leaf. Returns whether the root's value changed.
   bool toggle(std::uint32_t leaf);
+  /// For `toggle`.
+  void prefetch(std::uint32_t leaf) const noexcept {
+    const std::uint32_t slot = paths_->slot_of_leaf_[leaf];
+    raycat::prefetch(&paths_->places_[slot]);
+    raycat::prefetch(&slots_[slot]);
+  }
 
   /// Is a point on these sides of the leaves in the solid?
   bool inside() const;
@@ -81,7 +92,7 @@ class HeavyPaths::State {
  private:
   struct Slot {
     std::uint32_t start = 0;  // what follows is of this start
-    std::uint32_t count = 0;  // as `initial_`
+    std::uint32_t count = 0;  // as `Place::initial`
     std::uint32_t group = 0;  // in which the node was last written
   };
   struct Word {
@@ -96,7 +107,7 @@ class HeavyPaths::State {
     bool after = false;
   };
   struct Reach {
-    std::uint32_t path = 0;
+    std::uint32_t top = 0;   // of a path
     std::uint32_t last = 0;  // all nodes of the path that were touched, to this one, changed
   };
 
@@ -118,7 +129,7 @@ class HeavyPaths::State {
   std::vector<Slot> slots_;
   std::vector<Word> words_;
   std::vector<Touched> touched_;
-  std::vector<Reach> reaches_;  // by path
+  std::vector<Reach> reaches_;  // by top
 };
 
 }  // namespace raycat

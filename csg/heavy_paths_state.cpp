@@ -8,7 +8,7 @@ namespace raycat {
 
 void HeavyPaths::State::start(const HeavyPaths& paths) {
   paths_ = &paths;
-  slots_.resize(std::max(slots_.size(), paths.kind_.size()));
+  slots_.resize(std::max(slots_.size(), paths.places_.size()));
   words_.resize(std::max(words_.size(), paths.words_.size()));
   if (++start_ == 0) {  // 2^32 starts ago, stamps were made that would be taken for new ones
     std::ranges::fill(slots_, Slot{});
@@ -22,13 +22,13 @@ void HeavyPaths::State::start(const HeavyPaths& paths) {
 HeavyPaths::State::Slot& HeavyPaths::State::at(std::uint32_t slot) {
   Slot& found = slots_[slot];
   if (found.start != start_) {
-    found = {.start = start_, .count = paths_->initial_[slot], .group = 0};
+    found = {.start = start_, .count = paths_->places_[slot].initial, .group = 0};
   }
   return found;
 }
 
 std::uint32_t HeavyPaths::State::count(std::uint32_t slot) const {
-  return slots_[slot].start == start_ ? slots_[slot].count : paths_->initial_[slot];
+  return slots_[slot].start == start_ ? slots_[slot].count : paths_->places_[slot].initial;
 }
 
 std::uint64_t HeavyPaths::State::bits(std::uint32_t word) const {
@@ -74,14 +74,14 @@ std::uint32_t HeavyPaths::State::next_decided(std::uint32_t slot) const {
 }
 
 bool HeavyPaths::State::value_if_decided(std::uint32_t slot) const {
-  const Kind kind = paths_->kind_[slot];
+  const Kind kind = paths_->places_[slot].kind;
   return kind == Kind::leaf ? count(slot) != 0 : kind == Kind::any;
 }
 
 void HeavyPaths::State::touch(std::uint32_t slot, bool decided) {
   if (in_group_ && at(slot).group != group_) {
     at(slot).group = group_;
-    const bool leaf = paths_->kind_[slot] == Kind::leaf;
+    const bool leaf = paths_->places_[slot].kind == Kind::leaf;
     touched_.push_back({.slot = slot, .decided = decided, .before = leaf && count(slot) != 0});
   }
 }
@@ -91,22 +91,22 @@ bool HeavyPaths::State::toggle(std::uint32_t leaf) {
   touch(slot, true);
   Slot& bottom = at(slot);
   bottom.count ^= 1;
-  Path path = paths_->paths_[paths_->path_of_[slot]];
-  if (next_decided(path.top) != slot) {
+  const Place* place = &paths_->places_[slot];
+  if (place->top != slot && next_decided(place->top) != slot) {
     return false;
   }
   bool value = bottom.count != 0;
-  while (path.parent != no_slot) {
-    slot = path.parent;
-    const bool fixed = paths_->kind_[slot] == Kind::any;  // what the node is while decided
+  while (place->parent != no_slot) {
+    slot = place->parent;
+    place = &paths_->places_[slot];
+    const bool fixed = place->kind == Kind::any;  // what the node is while decided
     const bool decided = value == fixed;
     std::uint32_t& deciding = at(slot).count;
     if (decided ? deciding++ > 0 : --deciding > 0) {
       return false;
     }
     touch(slot, !decided);
-    path = paths_->paths_[paths_->path_of_[slot]];
-    const std::uint32_t first = next_decided(path.top);
+    const std::uint32_t first = next_decided(place->top);
     // What the node is while it is undecided is as the path goes on.
     const bool undecided =
         first < slot || value_if_decided(decided ? first : next_decided(slot + 1));
@@ -137,7 +137,7 @@ void HeavyPaths::State::begin_group() {
 void HeavyPaths::State::compare(std::span<Touched> path) {
   for (std::size_t i = path.size(); i-- > 0;) {
     Touched& node = path[i];
-    const Kind kind = paths_->kind_[node.slot];
+    const Kind kind = paths_->places_[node.slot].kind;
     if (kind == Kind::leaf) {
       node.after = count(node.slot) != 0;
       continue;
@@ -159,8 +159,8 @@ void HeavyPaths::State::compare(std::span<Touched> path) {
 // Notes how far down all nodes of a path changed. One that was not touched changed if it is
 // undecided and the next one changed.
 void HeavyPaths::State::reach(std::span<const Touched> path) {
-  const std::uint32_t number = paths_->path_of_[path.front().slot];
-  std::uint32_t from = paths_->paths_[number].top;
+  const std::uint32_t top = paths_->places_[path.front().slot].top;
+  std::uint32_t from = top;
   bool any = false;
   std::uint32_t last = 0;
   for (const Touched& node : path) {
@@ -172,7 +172,7 @@ void HeavyPaths::State::reach(std::span<const Touched> path) {
     from = node.slot + 1;
   }
   if (any) {
-    reaches_.push_back({.path = number, .last = last});
+    reaches_.push_back({.top = top, .last = last});
   }
 }
 
@@ -180,9 +180,9 @@ void HeavyPaths::State::end_group() {
   in_group_ = false;
   std::ranges::sort(touched_, {}, &Touched::slot);
   for (std::size_t begin = 0; begin < touched_.size();) {
-    const std::uint32_t path = paths_->path_of_[touched_[begin].slot];
+    const std::uint32_t top = paths_->places_[touched_[begin].slot].top;
     std::size_t end = begin + 1;
-    while (end < touched_.size() && paths_->path_of_[touched_[end].slot] == path) {
+    while (end < touched_.size() && paths_->places_[touched_[end].slot].top == top) {
       ++end;
     }
     const std::span<Touched> nodes(touched_.data() + begin, end - begin);
@@ -194,12 +194,12 @@ void HeavyPaths::State::end_group() {
 
 bool HeavyPaths::State::responsible(std::uint32_t leaf) const {
   for (std::uint32_t slot = paths_->slot_of_leaf_[leaf]; slot != no_slot;) {
-    const std::uint32_t path = paths_->path_of_[slot];
-    const auto found = std::ranges::lower_bound(reaches_, path, {}, &Reach::path);
-    if (found == reaches_.end() || found->path != path || found->last < slot) {
+    const Place& place = paths_->places_[slot];
+    const auto found = std::ranges::lower_bound(reaches_, place.top, {}, &Reach::top);
+    if (found == reaches_.end() || found->top != place.top || found->last < slot) {
       return false;
     }
-    slot = paths_->paths_[path].parent;
+    slot = place.parent;
   }
   return true;
 }

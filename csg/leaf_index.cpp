@@ -1,136 +1,87 @@
 #include "csg/leaf_index.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
 
 namespace raycat {
 namespace {
 
-constexpr std::uint32_t most_entries = 3;  // of a node without nodes below
-constexpr int bins = 16;
-
-double half_area(const Bounds& box) {
-  if (box.empty()) {
-    return 0.0;
-  }
-  const glm::dvec3 size = box.max - box.min;
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
-struct Bin {
-  Bounds bounds;
-  std::uint32_t count = 0;
-};
-
-// The last bin of the left side by the surface area heuristic; -1 if one side would be empty.
-int best_cut(const std::array<Bin, bins>& bin) {
-  std::array<double, bins> right{};
-  Bin sum;
-  for (int i = bins - 1; i > 0; --i) {
-    sum.bounds.include(bin[static_cast<std::size_t>(i)].bounds);
-    sum.count += bin[static_cast<std::size_t>(i)].count;
-    right[static_cast<std::size_t>(i)] = half_area(sum.bounds) * sum.count;
-  }
-  const std::uint32_t all = sum.count + bin[0].count;
-  sum = {};
-  int best = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i + 1 < bins; ++i) {
-    sum.bounds.include(bin[static_cast<std::size_t>(i)].bounds);
-    sum.count += bin[static_cast<std::size_t>(i)].count;
-    const double cost = half_area(sum.bounds) * sum.count + right[static_cast<std::size_t>(i) + 1];
-    if (sum.count > 0 && sum.count < all && cost < least) {
-      least = cost;
-      best = i;
-    }
-  }
-  return best;
-}
+constexpr float float_ulp = 0x1p-23f;
 
 }  // namespace
 
-LeafIndex::LeafIndex(std::span<const Bounds> boxes) {
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const auto box = static_cast<std::uint32_t>(i);
-    if (boxes[i].empty()) {
-      continue;
-    }
-    if (boxes[i].finite()) {
-      entries_.push_back({.bounds = boxes[i], .box = box});
-    } else {
-      unbounded_.push_back(box);
-    }
+std::optional<LeafIndex::Line> LeafIndex::line(const Ray& ray, const Interval& window) const {
+  if (nodes_.empty()) {
+    return std::nullopt;
   }
-  build();
+  const Interval inside = LineClip(ray)(bounds_, window);
+  if (inside.empty()) {
+    return std::nullopt;
+  }
+  Line line{};
+  line.t_origin = std::clamp(0.0, inside.begin, inside.end);
+  const glm::dvec3 size = glm::abs(ray.direction);
+  const double largest = std::max({size.x, size.y, size.z});
+  line.per_t = largest / scale_;
+  for (int axis = 0; axis < 3; ++axis) {
+    // With a fused multiplication the point is on the line to its last bit, wherever that begins.
+    const double start = std::fma(line.t_origin, ray.direction[axis], ray.origin[axis]);
+    // A line that gains less than this on its way through the boxes is as good as parallel.
+    constexpr double least = 1e-30;
+    const double slope = ray.direction[axis] / largest;
+    const auto i = static_cast<std::size_t>(axis);
+    line.origin[i] = static_cast<float>((start - center_[axis]) / scale_);
+    line.inverse[i] =
+        static_cast<float>(1.0 / (std::abs(slope) > least ? slope : std::copysign(least, slope)));
+    const bool down = line.inverse[i] < 0.0f;
+    line.near[i] = static_cast<std::uint8_t>(down ? 3 + axis : axis);
+    line.far[i] = static_cast<std::uint8_t>(down ? axis : 3 + axis);
+  }
+  // No box is farther than 3 along the line; within that, rounding is less than the margin.
+  const auto along = [&](double t) {
+    return static_cast<float>(std::clamp((t - line.t_origin) * line.per_t, -4.0, 4.0));
+  };
+  line.begin = along(window.begin) - 4.0f * float_ulp;
+  line.end = along(window.end) + 4.0f * float_ulp;
+  return line;
 }
 
-// Parts the entries from `begin` to `end` in two, and returns where the second part begins.
-std::uint32_t LeafIndex::split(std::uint32_t begin, std::uint32_t end) {
-  const auto first = entries_.begin() + begin;
-  const auto last = entries_.begin() + end;
-  Bounds centers;
-  std::for_each(first, last, [&](const Entry& entry) { centers.include(entry.bounds.center()); });
-  const glm::dvec3 size = centers.max - centers.min;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto bin_of = [&](const Entry& entry) {
-    const double place = (entry.bounds.center()[axis] - centers.min[axis]) / size[axis];
-    return std::clamp(static_cast<int>(place * bins), 0, bins - 1);
-  };
-  if (size[axis] > 0.0) {
-    std::array<Bin, bins> bin;
-    std::for_each(first, last, [&](const Entry& entry) {
-      Bin& its = bin[static_cast<std::size_t>(bin_of(entry))];
-      its.bounds.include(entry.bounds);
-      ++its.count;
-    });
-    if (const int cut = best_cut(bin); cut >= 0) {
-      const auto middle =
-          std::partition(first, last, [&](const Entry& entry) { return bin_of(entry) <= cut; });
-      return static_cast<std::uint32_t>(middle - entries_.begin());
-    }
+void LeafIndex::Search::start(const LeafIndex& index, const Ray& ray, const Interval& window) {
+  index_ = &index;
+  steps_.clear();
+  for (const std::uint32_t box : index.unbounded_) {
+    steps_.push_back({.t = -std::numeric_limits<float>::infinity(), .child = box | box_bit});
   }
-  return begin + (end - begin) / 2;  // no cut is better than another
+  if (const std::optional<Line> line = index.line(ray, window)) {
+    line_ = *line;
+    steps_.push_back({.t = line_.begin, .child = 0});
+  } else {
+    line_ = {};
+  }
 }
 
-void LeafIndex::build() {
-  struct Part {
-    std::uint32_t begin;
-    std::uint32_t end;
-  };
-  struct Open {
-    std::uint32_t node;
-    std::uint32_t end;
-  };
-  std::vector<Part> parts;
-  std::vector<Open> open;  // nodes whose parts are not all made yet
-  if (!entries_.empty()) {
-    parts.push_back({.begin = 0, .end = static_cast<std::uint32_t>(entries_.size())});
-  }
-  while (!parts.empty()) {
-    const Part part = parts.back();
-    parts.pop_back();
-    const auto number = static_cast<std::uint32_t>(nodes_.size());
-    for (; !open.empty() && open.back().end <= part.begin; open.pop_back()) {
-      nodes_[open.back().node].skip = number;
+std::optional<std::uint32_t> LeafIndex::Search::next(double limit) {
+  constexpr auto farther = [](const Step& a, const Step& b) { return a.t > b.t; };
+  const double along = (limit - line_.t_origin) * line_.per_t;
+  while (!steps_.empty() && !(static_cast<double>(steps_.front().t) > along)) {
+    std::ranges::pop_heap(steps_, farther);
+    const std::uint32_t child = steps_.back().child;
+    steps_.pop_back();
+    if ((child & box_bit) != 0) {
+      return child & ~box_bit;
     }
-    Node& node = nodes_.emplace_back();
-    open.push_back({.node = number, .end = part.end});
-    for (std::uint32_t k = part.begin; k < part.end; ++k) {
-      node.bounds.include(entries_[k].bounds);
-    }
-    if (part.end - part.begin <= most_entries) {
-      node.begin = part.begin;
-      node.end = part.end;
-    } else {
-      const std::uint32_t middle = split(part.begin, part.end);
-      parts.push_back({.begin = middle, .end = part.end});
-      parts.push_back({.begin = part.begin, .end = middle});
+    const Node& node = index_->nodes_[child];
+    const Meeting meeting = meet(line_, node);
+    for (std::size_t k = 0; k < width; ++k) {
+      if (meeting.begin[k] <= meeting.end[k]) {
+        steps_.push_back({.t = meeting.begin[k], .child = node.child[k]});
+        std::ranges::push_heap(steps_, farther);
+      }
     }
   }
-  for (const Open& each : open) {
-    nodes_[each.node].skip = static_cast<std::uint32_t>(nodes_.size());
-  }
+  return std::nullopt;
 }
 
 }  // namespace raycat

@@ -37,6 +37,7 @@ double tolerance_of(const CsgTree& tree) {
 
 CsgTree complete(CsgTree tree) {
   tree.require_complete();
+  tree.shrink_to_fit();
   return tree;
 }
 
@@ -46,9 +47,8 @@ bool before(const Event& a, const Event& b) {
   return std::tie(a.t, a.leaf, a.crossing) < std::tie(b.t, b.leaf, b.crossing);
 }
 
-// For heaps with the first on top.
+// For a heap with the first on top.
 constexpr auto after = [](const auto& a, const auto& b) { return before(b, a); };
-constexpr auto farther = [](const auto& a, const auto& b) { return a.t > b.t; };
 
 }  // namespace
 
@@ -56,6 +56,7 @@ Solid::Solid(CsgTree tree)
     : tree_(complete(std::move(tree))),
       tolerance_(tolerance_of(tree_)),
       bounds_(set_bounds(tree_).back()),
+      leaves_(tree_.leaves()),
       paths_(tree_),
       index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_)) {}
 
@@ -64,7 +65,7 @@ double Solid::group_length(const Ray& ray) const { return tolerance_ / glm::leng
 // Adds the leaf's crossings from `begin` on to the events, and sets the side it is on before.
 void Solid::add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const {
   const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
-  bool inside = tree_.leaves()[leaf].shape.cross_local(ray, scratch.crossings_);
+  bool inside = leaves_.cross_local(leaf, ray, scratch.crossings_);
   for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
     const double t = scratch.crossings_[k].t;
     if (t < begin) {
@@ -127,7 +128,7 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
   scratch.boundaries.clear();
   scratch.crossings_.clear();
   if (lone()) {
-    const bool starts_inside = tree_.leaves().front().shape.cross_local(ray, scratch.crossings_);
+    const bool starts_inside = leaves_.cross_local(0, ray, scratch.crossings_);
     for (const Crossing& crossing : scratch.crossings_) {
       scratch.boundaries.push_back({.t = crossing.t,
                                     .face = crossing.face,
@@ -142,9 +143,21 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
   }
   scratch.events_.clear();
   scratch.state_.start(paths_);
-  index_.visit(clip, {}, [&](std::uint32_t leaf, const Interval&) {
-    add_leaf(ray, leaf, -infinity, scratch);
+  // In a large tree most time goes by waiting for memory, so all that the leaves need is asked for
+  // before any of it is used.
+  std::vector<std::uint32_t>& met = scratch.met_;
+  met.clear();
+  index_.visit(ray, [&](std::uint32_t leaf) {
+    leaves_.prefetch(leaf);
+    paths_.prefetch(leaf);
+    met.push_back(leaf);
   });
+  for (const std::uint32_t leaf : met) {
+    scratch.state_.prefetch(leaf);
+  }
+  for (const std::uint32_t leaf : met) {
+    add_leaf(ray, leaf, -infinity, scratch);
+  }
   std::ranges::sort(scratch.events_, before<Scratch::Event>);
   const bool starts_inside = scratch.state_.inside();
 
@@ -169,7 +182,7 @@ std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
   scratch.boundaries.clear();
   scratch.crossings_.clear();
   if (lone()) {
-    tree_.leaves().front().shape.cross_local(ray, scratch.crossings_);
+    leaves_.cross_local(0, ray, scratch.crossings_);
     for (const Crossing& crossing : scratch.crossings_) {
       if (wanted(crossing.t)) {
         return Boundary{.t = crossing.t,
@@ -189,21 +202,14 @@ std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
   // Leaves are met in the order in which the line comes to their boxes, each no sooner than the
   // events before it are passed: until then it is outside, or does not matter.
   std::vector<Scratch::Event>& events = scratch.events_;
-  std::vector<Scratch::Candidate>& candidates = scratch.candidates_;
   events.clear();
-  candidates.clear();
   scratch.state_.start(paths_);
-  index_.visit(clip, window, [&](std::uint32_t leaf, const Interval& inside) {
-    candidates.push_back({.t = inside.begin, .leaf = leaf});
-  });
-  std::ranges::make_heap(candidates, farther);
+  scratch.search_.start(index_, ray, window);
   for (;;) {
-    while (!candidates.empty() &&
-           (events.empty() || candidates.front().t <= events.front().t + 2.0 * length)) {
-      std::ranges::pop_heap(candidates, farther);
+    const auto needed = [&] { return events.empty() ? infinity : events.front().t + 2.0 * length; };
+    while (const std::optional<std::uint32_t> leaf = scratch.search_.next(needed())) {
       const std::size_t known = events.size();
-      add_leaf(ray, candidates.back().leaf, window.begin, scratch);
-      candidates.pop_back();
+      add_leaf(ray, *leaf, window.begin, scratch);
       for (std::size_t i = known; i < events.size(); ++i) {
         std::push_heap(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(i) + 1, after);
       }

@@ -7,6 +7,7 @@
 
 #include "csg/heavy_paths.hpp"
 #include "csg/leaf_index.hpp"
+#include "csg/packed_leaves.hpp"
 #include "csg/tree.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/crossing.hpp"
@@ -76,6 +77,7 @@ class Solid {
   CsgTree tree_;
   double tolerance_ = 0.0;  // in scene units
   Bounds bounds_;
+  PackedLeaves leaves_;
   HeavyPaths paths_;
   LeafIndex index_;
 };
@@ -91,15 +93,12 @@ struct Solid::Scratch {
     std::uint32_t leaf = 0;
     std::uint32_t crossing = 0;
   };
-  struct Candidate {
-    double t = 0.0;  // where the line comes to the leaf's box
-    std::uint32_t leaf = 0;
-  };
 
   Crossings crossings_;
   std::vector<Event> events_;
   std::vector<Event> group_;
-  std::vector<Candidate> candidates_;
+  std::vector<std::uint32_t> met_;  // leaves whose boxes the line meets
+  LeafIndex::Search search_;
   HeavyPaths::State state_;
 };
 

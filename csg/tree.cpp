@@ -39,4 +39,9 @@ void CsgTree::require_complete() const {
   }
 }
 
+void CsgTree::shrink_to_fit() {
+  nodes_.shrink_to_fit();
+  leaves_.shrink_to_fit();
+}
+
 }  // namespace raycat

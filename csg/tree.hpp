@@ -47,6 +47,9 @@ class CsgTree {
   /// Throws `std::invalid_argument` unless exactly one node, the last, has no parent.
   void require_complete() const;
 
+  /// Gives back memory kept for further nodes.
+  void shrink_to_fit();
+
  private:
   std::vector<Node> nodes_;
   std::vector<CsgLeaf> leaves_;

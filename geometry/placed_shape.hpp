@@ -38,6 +38,8 @@ class Affine {
 
   bool mirrored() const noexcept { return glm::determinant(linear_) < 0.0; }
   glm::dmat4 matrix() const noexcept;
+  const glm::dvec3& translation() const noexcept { return translation_; }
+  const glm::dmat3& inverse_linear() const noexcept { return inverse_linear_; }
 
  private:
   glm::dmat3 linear_{1.0};
