@@ -178,43 +178,58 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
 
 std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
                                      Scratch& scratch) const {
-  const auto wanted = [&](double t) { return t > begin && t < end; };
   scratch.boundaries.clear();
   scratch.crossings_.clear();
+  scratch.events_.clear();
+  scratch.ray_ = ray;
+  scratch.length_ = group_length(ray);
+  scratch.wanted_ = {.begin = begin, .end = end};
+  scratch.known_ = {.begin = begin - groups_behind * scratch.length_,
+                    .end = end + 2.0 * scratch.length_};
   if (lone()) {
     leaves_.cross_local(0, ray, scratch.crossings_);
-    for (const Crossing& crossing : scratch.crossings_) {
-      if (wanted(crossing.t)) {
-        return Boundary{.t = crossing.t,
-                        .face = crossing.face,
-                        .entering = crossing.entering,
-                        .normal = crossing.normal};
-      }
+    scratch.passed_ = 0;
+  } else if (LineClip(ray)(bounds_, scratch.known_).empty()) {
+    return std::nullopt;
+  } else {
+    scratch.state_.start(paths_);
+    scratch.search_.start(index_, ray, scratch.known_);
+  }
+  return next(scratch);
+}
+
+std::optional<Boundary> Solid::next(Scratch& scratch) const {
+  return lone() ? next_of_lone(scratch) : next_of_tree(scratch);
+}
+
+std::optional<Boundary> Solid::next_of_lone(Scratch& scratch) const {
+  while (scratch.passed_ < scratch.crossings_.size()) {
+    const Crossing& crossing = scratch.crossings_[scratch.passed_++];
+    if (crossing.t > scratch.wanted_.begin && crossing.t < scratch.wanted_.end) {
+      return Boundary{.t = crossing.t,
+                      .face = crossing.face,
+                      .entering = crossing.entering,
+                      .normal = crossing.normal};
     }
-    return std::nullopt;
   }
-  const LineClip clip(ray);
-  const double length = group_length(ray);
-  const Interval window{.begin = begin - groups_behind * length, .end = end + 2.0 * length};
-  if (clip(bounds_, window).empty()) {
-    return std::nullopt;
-  }
+  return std::nullopt;
+}
+
+std::optional<Boundary> Solid::next_of_tree(Scratch& scratch) const {
   // Leaves are met in the order in which the line comes to their boxes, each no sooner than the
   // events before it are passed: until then it is outside, or does not matter.
   std::vector<Scratch::Event>& events = scratch.events_;
-  events.clear();
-  scratch.state_.start(paths_);
-  scratch.search_.start(index_, ray, window);
+  const double length = scratch.length_;
   for (;;) {
     const auto needed = [&] { return events.empty() ? infinity : events.front().t + 2.0 * length; };
     while (const std::optional<std::uint32_t> leaf = scratch.search_.next(needed())) {
       const std::size_t known = events.size();
-      add_leaf(ray, *leaf, window.begin, scratch);
+      add_leaf(scratch.ray_, *leaf, scratch.known_.begin, scratch);
       for (std::size_t i = known; i < events.size(); ++i) {
         std::push_heap(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(i) + 1, after);
       }
     }
-    if (events.empty() || events.front().t > window.end) {
+    if (events.empty() || events.front().t > scratch.known_.end) {
       return std::nullopt;
     }
     scratch.group_.clear();
@@ -224,10 +239,11 @@ std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
       scratch.group_.push_back(events.back());
       events.pop_back();
     }
+    scratch.boundaries.clear();
     pass_group(scratch, 0, scratch.group_.size());
-    if (!scratch.boundaries.empty() && scratch.boundaries.back().t > begin) {
+    if (!scratch.boundaries.empty() && scratch.boundaries.back().t > scratch.wanted_.begin) {
       const Boundary& found = scratch.boundaries.back();
-      return wanted(found.t) ? std::optional(found) : std::nullopt;
+      return found.t < scratch.wanted_.end ? std::optional(found) : std::nullopt;
     }
   }
 }

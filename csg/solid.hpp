@@ -11,6 +11,7 @@
 #include "csg/tree.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/crossing.hpp"
+#include "geometry/line_clip.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/surface_id.hpp"
 
@@ -54,6 +55,10 @@ class Solid {
   /// `scratch.boundaries` is left with anything.
   std::optional<Boundary> first(const Ray& ray, double begin, double end, Scratch& scratch) const;
 
+  /// The passage after the one that `first` or `next` found last with this scratch, if it is before
+  /// the `end` that `first` was given.
+  std::optional<Boundary> next(Scratch& scratch) const;
+
   /// The unit normal in the world, out of the final solid: a subtracted surface's is flipped.
   glm::dvec3 normal(const Boundary& boundary) const noexcept;
 
@@ -72,6 +77,8 @@ class Solid {
   bool lone() const noexcept { return tree_.leaves().size() == 1 && tree_.nodes().size() == 1; }
   double group_length(const Ray& ray) const;
   void add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const;
+  std::optional<Boundary> next_of_lone(Scratch& scratch) const;
+  std::optional<Boundary> next_of_tree(Scratch& scratch) const;
   void pass_group(Scratch& scratch, std::size_t begin, std::size_t end) const;
 
   CsgTree tree_;
@@ -98,7 +105,15 @@ struct Solid::Scratch {
   std::vector<Event> events_;
   std::vector<Event> group_;
   std::vector<std::uint32_t> met_;  // leaves whose boxes the line meets
+
+  // From `first` on.
+  Ray ray_;
+  double length_ = 0.0;  // of a group
+  Interval wanted_;
+  Interval known_;          // where crossings are looked for
+  std::size_t passed_ = 0;  // crossings of a lone shape
   LeafIndex::Search search_;
+
   HeavyPaths::State state_;
 };
 

@@ -86,23 +86,15 @@ glm::vec3 transmission_of(const Scene& scene, MaterialId material) {
 
 // Weakens the light by the solid's boundaries before `query.t_end`; false if none is left.
 bool let_through(const SolidObject& object, const Scene& scene, Query& query) {
-  // An opaque solid's first boundary decides, and one that lets light through needs them all.
-  const std::optional<Boundary> met =
-      object.solid.first(*query.ray, 0.0, query.t_end, *query.scratch);
-  if (!met) {
-    return true;
-  }
-  if (transmission_of(scene, object.materials[met->leaf]) == glm::vec3(0.0f)) {
-    query.light = glm::vec3(0.0f);
-    return false;
-  }
-  object.solid.cross(*query.ray, *query.scratch);
-  for (const Boundary& boundary : query.scratch->boundaries) {
-    if (boundary.t > 0.0 && boundary.t < query.t_end) {
-      query.light *= transmission_of(scene, object.materials[boundary.leaf]);
+  const Solid& solid = object.solid;
+  for (auto met = solid.first(*query.ray, 0.0, query.t_end, *query.scratch); met;
+       met = solid.next(*query.scratch)) {
+    query.light *= transmission_of(scene, object.materials[met->leaf]);
+    if (query.light == glm::vec3(0.0f)) {
+      return false;
     }
   }
-  return query.light != glm::vec3(0.0f);
+  return true;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Rays through CSG trees of 100 to 100 000 leaves, in three forms of the same set, and a plate with
-// 400 drilled holes against POV-Ray on the same scene.
+// Rays through CSG trees of 100 to 100 000 leaves, in three forms of the same set; stacks of
+// plates, of which the first decides; and a plate with 400 drilled holes against POV-Ray on the
+// same scene.
 
 #include <array>
 #include <cmath>
@@ -141,6 +142,65 @@ void growth(benchmark::State& state, Form form) {
   }
 }
 
+// Plates one behind the other, of which the first two let light through.
+Scene stack(int plates) {
+  Scene scene;
+  scene.surfaces.add_object("stack");
+  CsgTree tree;
+  std::vector<NodeId> operands;
+  std::uint32_t face = 0;
+  for (int i = 0; i < plates; ++i) {
+    operands.push_back(add(tree, Box{.size = {1, 1, 0.5}}, {0, 0, i}, face));
+    scene.surfaces.add_primitive("plate", 6);
+  }
+  tree.add(Operation::set_union, operands);
+  std::vector<MaterialId> materials(operands.size(), MaterialId{1});
+  materials[0] = materials[1] = MaterialId{0};
+  scene.materials = {{.transmission = glm::vec3(0.5f)}, {}};
+  scene.solids.push_back({.solid = Solid(std::move(tree)), .materials = std::move(materials)});
+  return scene;
+}
+
+// What is behind what decides should cost nothing.
+void early_exit(benchmark::State& state) {
+  constexpr int few = 100;
+  constexpr int many = 10'000;
+  const Scene shallow = stack(few);
+  const Scene deep = stack(many);
+  Solid::Scratch scratch;
+  double sum = 0.0;
+  const auto each_ray = [&](int count, const auto& trace) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-0.4, 0.4);
+    return timed([&] {
+      for (int i = 0; i < count; ++i) {
+        const Ray ray{.origin = {place(random), place(random), -5.0}, .direction = {0, 0, 1}};
+        trace(ray);
+      }
+    });
+  };
+  const auto first = [&](const Scene& scene) {
+    const Solid& solid = scene.solids.front().solid;
+    return each_ray(rays, [&](const Ray& ray) { sum += solid.first(ray, 0, 1e9, scratch)->t; });
+  };
+  const auto shadow = [&](const Scene& scene) {
+    const Accel accel(scene);
+    return each_ray(rays, [&](const Ray& ray) { sum += accel.transmittance(ray, 1e9, scratch).x; });
+  };
+  for ([[maybe_unused]] auto _ : state) {
+    const Solid& solid = shallow.solids.front().solid;
+    state.counters["all"] = each_ray(rays, [&](const Ray& ray) {
+      solid.cross(ray, scratch);
+      sum += scratch.boundaries.back().t;
+    });
+    state.counters["firstdeep"] = first(deep);
+    state.counters["first"] = first(shallow);
+    state.counters["shadowdeep"] = shadow(deep);
+    state.counters["shadow"] = shadow(shallow);
+  }
+  benchmark::DoNotOptimize(sum);
+}
+
 // As in holes.pov.
 Scene drilled_plate() {
   Scene scene;
@@ -191,6 +251,7 @@ BENCHMARK_CAPTURE(forms, tenthousand, 10'000)->Name("forms")->Iterations(1);
 BENCHMARK_CAPTURE(growth, left, Form::left)->Name("growthleft")->Iterations(1);
 BENCHMARK_CAPTURE(growth, balanced, Form::balanced)->Name("growthbalanced")->Iterations(1);
 BENCHMARK_CAPTURE(growth, flat, Form::flat)->Name("growthflat")->Iterations(1);
+BENCHMARK(early_exit)->Name("stack")->Iterations(1);
 
 }  // namespace
 }  // namespace raycat::bench
@@ -204,6 +265,10 @@ int main(int argc, char** argv) {
     ratios.push_back({name, "tenthousand", "hundred", 2.0});
     ratios.push_back({name, "most", "hundred", log_growth});
   }
+  // log 10 000 / log 100; one of 200 crossings.
+  ratios.push_back({"stack", "firstdeep", "first", 2.0});
+  ratios.push_back({"stack", "shadowdeep", "shadow", 2.0});
+  ratios.push_back({"stack", "first", "all", 0.1});
   if (povray_present()) {
     benchmark::RegisterBenchmark("holes", holes)->Iterations(1);
     ratios.push_back({"holes", "heap", "povray", 0.1});
