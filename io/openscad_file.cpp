@@ -1,5 +1,8 @@
 #include "io/openscad_file.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -9,10 +12,12 @@
 
 #include "io/contained_path.hpp"
 #include "io/excerpt.hpp"
+#include "io/height_file.hpp"
 #include "io/input_file.hpp"
 #include "io/mesh_file.hpp"
 #include "io/openscad_made.hpp"
 #include "io/openscad_parameters.hpp"
+#include "modelling/height_map.hpp"
 
 namespace raycat::openscad {
 
@@ -41,13 +46,27 @@ std::optional<Primitive> import(Context& context, const Node& node) {
   }
 }
 
+std::optional<Primitive> surface(Context& context, const Node& node) {
+  const Parameters parameters(context, node, {"file", "center", "convexity"}, {"invert"});
+  const std::filesystem::path file = file_of(context, parameters);
+  const bool centred = parameters.flag("center", false);
+  try {
+    const HeightRows rows = read_heights(file, parameters.flag("invert", false));
+    std::size_t widest = 0;
+    for (const std::vector<double>& row : rows) {
+      widest = std::max(widest, row.size());
+    }
+    context.require_triangles(node, 4 * std::uint64_t{widest} * rows.size());
+    return solid(context, node, height_map(rows, centred));
+  } catch (const std::runtime_error& error) {
+    parameters.fail(fmt::format("file '{}': {}", excerpt(file.filename().string()), error.what()));
+  }
+}
+
 }  // namespace
 
 std::optional<Primitive> file_primitive(Context& context, const Node& node) {
-  if (node.name == "import") {
-    return import(context, node);
-  }
-  Context::fail(node, "is not supported");
+  return node.name == "import" ? import(context, node) : surface(context, node);
 }
 
 }  // namespace raycat::openscad

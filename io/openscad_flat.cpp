@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/openscad_parameters.hpp"
+#include "modelling/text_outline.hpp"
 
 namespace raycat::openscad {
 
@@ -85,13 +86,32 @@ Polygons polygon(Context& context, const Node& node) {
   return even_odd(contours);
 }
 
+Polygons text(Context& context, const Node& node) {
+  const Parameters parameters(context, node, {"text", "size", "font"},
+                              {"spacing", "direction", "language", "script", "halign", "valign"});
+  TextStyle style;
+  style.font = parameters.text("font", style.font);
+  style.size = parameters.number("size", style.size);
+  style.spacing = parameters.number("spacing", style.spacing);
+  style.direction = parameters.text("direction", style.direction);
+  style.horizontal = parameters.text("halign", style.horizontal);
+  style.vertical = parameters.text("valign", style.vertical);
+  style.language = parameters.text("language", style.language);
+  style.script = parameters.text("script", style.script);
+  style.facets = parameters.corners(std::abs(style.size));
+  return text_outline(parameters.text("text", ""), style);
+}
+
 }  // namespace
 
 Polygons flat_primitive(Context& context, const Node& node) {
   if (node.name == "square") {
     return square(context, node);
   }
-  return node.name == "circle" ? circle(context, node) : polygon(context, node);
+  if (node.name == "circle") {
+    return circle(context, node);
+  }
+  return node.name == "polygon" ? polygon(context, node) : text(context, node);
 }
 
 }  // namespace raycat::openscad

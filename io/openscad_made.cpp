@@ -20,14 +20,6 @@ namespace raycat::openscad {
 
 namespace {
 
-std::optional<Primitive> solid(Context& context, const Node& node, TriangleMesh mesh) {
-  context.count_triangles(node, mesh.triangles.size());
-  if (mesh.triangles.empty()) {
-    return {};
-  }
-  return Primitive{.shape = closed(node, std::move(mesh))};
-}
-
 // Of all the arcs of an offset.
 constexpr std::uint64_t most_facets = 10'000'000;
 
@@ -127,6 +119,14 @@ Polygons offset(Context& context, const Node& node, const Polygons& operand) {
 }
 
 }  // namespace
+
+std::optional<Primitive> solid(Context& context, const Node& node, TriangleMesh mesh) {
+  context.count_triangles(node, mesh.triangles.size());
+  if (mesh.triangles.empty()) {
+    return {};
+  }
+  return Primitive{.shape = closed(node, std::move(mesh))};
+}
 
 std::optional<Primitive> extruded(Context& context, const Node& node, const Polygons& operand) {
   return node.name == "linear_extrude" ? linear(context, node, operand)

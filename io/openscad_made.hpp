@@ -22,6 +22,9 @@ Polygons flattened(Context& context, const Node& node, const Polygons& operand);
 /// projection.
 Polygons projected(Context& context, const Node& node, const TriangleMesh& operand);
 
+/// A mesh as the node's shape; nothing if it is empty. Counts its triangles.
+std::optional<Primitive> solid(Context& context, const Node& node, TriangleMesh mesh);
+
 /// A mesh that hull or minkowski made, with faces joined by `LoadOptions::faces`; nothing if it is
 /// empty.
 std::optional<Primitive> joined(Context& context, const Node& node, TriangleMesh mesh);

@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/line_clip.hpp"
 
 namespace raycat {
 namespace {
@@ -60,39 +59,36 @@ bool Sides::try_pass(const Exact::Point_3& point, const glm::dvec3& direction,
   const glm::dvec3 near = rounded(point);
   const Exact::Point_3 ahead = point + Exact::Vector_3(direction.x, direction.y, direction.z);
   bool clear = true;
-  constexpr double behind = -1e-9;
-  index_.visit(
-      LineClip({.origin = near, .direction = direction}), {.begin = behind},
-      [&](std::uint32_t triangle, const Interval&) {
-        if (!clear) {
-          return;
-        }
-        const glm::uvec3& t = triangles_[triangle];
-        const Exact::Point_3 a = exact(positions_[t.x]);
-        const Exact::Point_3 b = exact(positions_[t.y]);
-        const Exact::Point_3 c = exact(positions_[t.z]);
-        const CGAL::Orientation ab = CGAL::orientation(point, ahead, a, b);
-        const CGAL::Orientation bc = CGAL::orientation(point, ahead, b, c);
-        const CGAL::Orientation ca = CGAL::orientation(point, ahead, c, a);
-        const bool positive = ab == CGAL::POSITIVE || bc == CGAL::POSITIVE || ca == CGAL::POSITIVE;
-        const bool negative = ab == CGAL::NEGATIVE || bc == CGAL::NEGATIVE || ca == CGAL::NEGATIVE;
-        if (positive && negative) {
-          return;
-        }
-        const CGAL::Orientation side = CGAL::orientation(a, b, c, point);
-        if (side == CGAL::ZERO && wanted_[triangle] == 0) {
-          return;
-        }
-        if (ab == CGAL::ZERO || bc == CGAL::ZERO || ca == CGAL::ZERO) {
-          clear = CGAL::collinear(a, b, c);
-          return;
-        }
-        // The front is where the corners are seen counter-clockwise.
-        const bool leaving = positive;
-        if (side == CGAL::ZERO || (side == CGAL::NEGATIVE) == leaving) {
-          out.push_back({.triangle = triangle, .here = side == CGAL::ZERO, .leaving = leaving});
-        }
-      });
+  index_.visit({.origin = near, .direction = direction}, [&](std::uint32_t triangle) {
+    if (!clear) {
+      return;
+    }
+    const glm::uvec3& t = triangles_[triangle];
+    const Exact::Point_3 a = exact(positions_[t.x]);
+    const Exact::Point_3 b = exact(positions_[t.y]);
+    const Exact::Point_3 c = exact(positions_[t.z]);
+    const CGAL::Orientation ab = CGAL::orientation(point, ahead, a, b);
+    const CGAL::Orientation bc = CGAL::orientation(point, ahead, b, c);
+    const CGAL::Orientation ca = CGAL::orientation(point, ahead, c, a);
+    const bool positive = ab == CGAL::POSITIVE || bc == CGAL::POSITIVE || ca == CGAL::POSITIVE;
+    const bool negative = ab == CGAL::NEGATIVE || bc == CGAL::NEGATIVE || ca == CGAL::NEGATIVE;
+    if (positive && negative) {
+      return;
+    }
+    const CGAL::Orientation side = CGAL::orientation(a, b, c, point);
+    if (side == CGAL::ZERO && wanted_[triangle] == 0) {
+      return;
+    }
+    if (ab == CGAL::ZERO || bc == CGAL::ZERO || ca == CGAL::ZERO) {
+      clear = CGAL::collinear(a, b, c);
+      return;
+    }
+    // The front is where the corners are seen counter-clockwise.
+    const bool leaving = positive;
+    if (side == CGAL::ZERO || (side == CGAL::NEGATIVE) == leaving) {
+      out.push_back({.triangle = triangle, .here = side == CGAL::ZERO, .leaving = leaving});
+    }
+  });
   return clear;
 }
 

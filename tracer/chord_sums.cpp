@@ -85,20 +85,20 @@ void ChordCaster::cast(std::uint32_t object, int axis, const glm::dvec2& across,
   sums.own += own;
   sums.extremes.include(ray.at(boundaries.front().t));
   sums.extremes.include(ray.at(boundaries.back().t));
-  unite(object, ray, box.half_size()[axis], own, scratch, sums.united);
+  unite(object, ray, own, scratch, sums.united);
 }
 
 // Of the union an object has what no earlier object has, and of its surface what is the union's.
-void ChordCaster::unite(std::uint32_t object, const Ray& ray, double half, const Chords& own,
-                        Scratch& scratch, Chords& united) const {
+void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own, Scratch& scratch,
+                        Chords& united) const {
   std::vector<Scratch::Event>& events = scratch.events;
   scratch.neighbours.clear();
-  boxes_.visit(LineClip(ray), {.begin = -half, .end = half},
-               [&](std::uint32_t other, const Interval&) {
-                 if (other != object) {
-                   scratch.neighbours.push_back(other);
-                 }
-               });
+  const Bounds& own_box = objects_[object].solid->bounds();
+  boxes_.visit(ray, [&](std::uint32_t other) {
+    if (other != object && !intersection(own_box, objects_[other].solid->bounds()).empty()) {
+      scratch.neighbours.push_back(other);
+    }
+  });
   const std::size_t alone = events.size();
   for (const std::uint32_t other : scratch.neighbours) {
     objects_[other].solid->cross(ray, scratch.solid);

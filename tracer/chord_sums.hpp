@@ -65,7 +65,7 @@ class ChordCaster {
             ChordSums& sums) const;
 
  private:
-  void unite(std::uint32_t object, const Ray& ray, double half, const Chords& own, Scratch& scratch,
+  void unite(std::uint32_t object, const Ray& ray, const Chords& own, Scratch& scratch,
              Chords& united) const;
 
   const std::vector<ObjectVolume>& objects_;

@@ -24,8 +24,8 @@ TEST_CASE("what is no scene file is refused with one line", "[io]") {
   CHECK_THROWS_WITH(load_scene("/dev/zero"), "/dev/zero: is not a regular file");
   CHECK(load_error("empty.csg", "") == "empty.csg: is empty");
   CHECK(load_error("scene.blend", "BLENDER") ==
-        "scene.blend: unknown kind of scene file: the name must end in .gltf, .glb, .csg, .obj, "
-        ".ply, .stl or .off");
+        "scene.blend: unknown kind of scene file: the name must end in .gltf, .glb, .csg, .scad, "
+        ".obj, .ply, .stl or .off");
   const std::filesystem::path fifo = folder / "fifo.csg";
   temporary_folder();
   REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
