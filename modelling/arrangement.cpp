@@ -172,17 +172,17 @@ void cut(const glm::uvec3& corners, std::uint32_t triangle, Drawing& drawing, Po
 
 }  // namespace
 
-Arrangement arrange(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+Arrangement arrange(std::span<const Exact::Point_3> points, std::span<const glm::uvec3> triangles,
                     std::span<const std::uint8_t> wanted) {
   Arrangement out;
   PointNumbers number(out.points);
-  std::vector<std::uint32_t> number_of(positions.size(), unnumbered);
+  std::vector<std::uint32_t> number_of(points.size(), unnumbered);
   std::vector<glm::uvec3> corners(triangles.size(), glm::uvec3(unnumbered));
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (int k = 0; wanted[i] != 0 && k < 3; ++k) {
       std::uint32_t& id = number_of[triangles[i][k]];
       if (id == unnumbered) {
-        id = number(CGAL::exact(exact(positions[triangles[i][k]])));
+        id = number(CGAL::exact(points[triangles[i][k]]));
       }
       corners[i][k] = id;
     }
@@ -201,7 +201,7 @@ Arrangement arrange(std::span<const glm::dvec3> positions, std::span<const glm::
     return std::array{CGAL::exact(out.points[t.x]), CGAL::exact(out.points[t.y]),
                       CGAL::exact(out.points[t.z])};
   };
-  for (const auto& [a, b] : touching_triangles(positions, triangles, wanted)) {
+  for (const auto& [a, b] : touching_triangles(points, triangles, wanted)) {
     const std::uint32_t first = drawing(a);
     const std::uint32_t second = drawing(b);
     const TriangleOverlap overlap = triangle_overlap(exact_triangle(a), exact_triangle(b));

@@ -24,7 +24,7 @@ struct Arrangement {
 };
 
 /// Cuts the triangles marked in `wanted`, which have corners that are not in a row.
-Arrangement arrange(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+Arrangement arrange(std::span<const Exact::Point_3> points, std::span<const glm::uvec3> triangles,
                     std::span<const std::uint8_t> wanted);
 
 }  // namespace raycat

@@ -18,8 +18,8 @@ namespace {
 void leave_out_degenerate(LeafTriangles& leaves) {
   for (std::size_t i = 0; i < leaves.wanted.size(); ++i) {
     const glm::uvec3& t = leaves.mesh.triangles[i];
-    const auto& p = leaves.mesh.positions;
-    if (leaves.wanted[i] != 0 && CGAL::collinear(exact(p[t.x]), exact(p[t.y]), exact(p[t.z]))) {
+    const auto& p = leaves.corners;
+    if (leaves.wanted[i] != 0 && CGAL::collinear(p[t.x], p[t.y], p[t.z])) {
       leaves.wanted[i] = 0;
     }
   }
@@ -59,8 +59,7 @@ class Corners {
 EvaluatedMesh evaluate(const CsgTree& tree, const TessellationRule& rule) {
   LeafTriangles leaves = leaf_triangles(tree, rule);
   leave_out_degenerate(leaves);
-  const Arrangement arrangement =
-      arrange(leaves.mesh.positions, leaves.mesh.triangles, leaves.wanted);
+  const Arrangement arrangement = arrange(leaves.corners, leaves.mesh.triangles, leaves.wanted);
   const std::vector<Survival> survival = surviving_pieces(tree, leaves, arrangement);
 
   EvaluatedMesh out;

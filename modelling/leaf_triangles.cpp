@@ -12,13 +12,13 @@
 
 #include "csg/set_bounds.hpp"
 #include "geometry/tessellate.hpp"
-#include "modelling/snap.hpp"
+#include "modelling/flush_planes.hpp"
 
 namespace raycat {
 namespace {
 
 constexpr std::size_t most_triangles = std::size_t{1} << 23;
-constexpr double snap_tolerance = 1e-7;  // of the half diagonal, as in `Solid`
+constexpr double flush_tolerance = 1e-7;  // of the half diagonal, as in `Solid`
 
 // An upper bound of how much longer the map makes a vector; what it is for turns and stretches
 // along axes.
@@ -115,15 +115,19 @@ LeafTriangles leaf_triangles(const CsgTree& tree, const TessellationRule& rule) 
     }
   }
   const double size = glm::length(around.half_size());
-  const std::vector<Bounds> reach = leaf_reach(tree, bounds, 2.0 * snap_tolerance * size);
+  const double margin = 8.0 * flush_tolerance * size;
+  const std::vector<Bounds> reach = leaf_reach(tree, bounds, margin);
   for (std::uint32_t leaf = 0; leaf < reach.size(); ++leaf) {
     if (!reach[leaf].empty()) {
       append(world_triangles(tree.leaves()[leaf].shape, around, rule.chord_error * size), leaf,
              out);
     }
   }
-  snap(out.mesh.positions, snap_tolerance * size);
-  const double margin = 2.0 * snap_tolerance * size;
+  out.corners =
+      onto_flush_planes(out.mesh.positions, out.mesh.triangles, out.leaf, flush_tolerance * size);
+  for (std::size_t i = 0; i < out.corners.size(); ++i) {
+    out.mesh.positions[i] = rounded(out.corners[i]);
+  }
   for (std::size_t i = 0; i < out.mesh.triangles.size(); ++i) {
     Bounds box;
     for (int k = 0; k < 3; ++k) {

@@ -6,15 +6,17 @@
 #include "csg/tree.hpp"
 #include "geometry/mesh.hpp"
 #include "modelling/evaluate.hpp"
+#include "modelling/exact.hpp"
 
 namespace raycat {
 
 /// The leaves of a tree as triangles in the world, each leaf's closing a volume. Half-spaces end
 /// outside of everything that is bounded.
 struct LeafTriangles {
-  TriangleMesh mesh;                 ///< faces are those of the leaf
-  std::vector<std::uint32_t> leaf;   ///< of each triangle
-  std::vector<std::uint8_t> wanted;  ///< may part of the triangle be the solid's boundary?
+  TriangleMesh mesh;                    ///< faces are those of the leaf; positions are rounded
+  std::vector<Exact::Point_3> corners;  ///< the positions
+  std::vector<std::uint32_t> leaf;      ///< of each triangle
+  std::vector<std::uint8_t> wanted;     ///< may part of the triangle be the solid's boundary?
 };
 
 /// Throws as `evaluate` does. No triangles if the tree comes to nothing.

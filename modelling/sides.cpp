@@ -13,16 +13,17 @@ namespace {
 // Boxes are found by a line that is rounded, so that they are a little larger than the triangles.
 constexpr double box_margin = 1e-12;  // of the largest coordinate
 
-std::vector<Bounds> boxes(std::span<const glm::dvec3> positions,
+std::vector<Bounds> boxes(std::span<const Exact::Point_3> points,
                           std::span<const glm::uvec3> triangles) {
   double largest = 0.0;
-  for (const glm::dvec3& p : positions) {
+  for (const Exact::Point_3& point : points) {
+    const glm::dvec3 p = rounded(point);
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   }
   std::vector<Bounds> out(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      out[i].include(positions[triangles[i][k]]);
+      out[i].include(rounded(points[triangles[i][k]]));
     }
     out[i].min -= box_margin * largest;
     out[i].max += box_margin * largest;
@@ -38,12 +39,9 @@ glm::dvec3 nudge(int attempt) {
 
 }  // namespace
 
-Sides::Sides(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+Sides::Sides(std::span<const Exact::Point_3> points, std::span<const glm::uvec3> triangles,
              std::span<const std::uint8_t> wanted)
-    : positions_(positions),
-      triangles_(triangles),
-      wanted_(wanted),
-      index_(boxes(positions, triangles)) {}
+    : points_(points), triangles_(triangles), wanted_(wanted), index_(boxes(points, triangles)) {}
 
 void Sides::pass(const Exact::Point_3& point, glm::dvec3 direction,
                  std::vector<Passage>& out) const {
@@ -64,9 +62,9 @@ bool Sides::try_pass(const Exact::Point_3& point, const glm::dvec3& direction,
       return;
     }
     const glm::uvec3& t = triangles_[triangle];
-    const Exact::Point_3 a = exact(positions_[t.x]);
-    const Exact::Point_3 b = exact(positions_[t.y]);
-    const Exact::Point_3 c = exact(positions_[t.z]);
+    const Exact::Point_3& a = points_[t.x];
+    const Exact::Point_3& b = points_[t.y];
+    const Exact::Point_3& c = points_[t.z];
     const CGAL::Orientation ab = CGAL::orientation(point, ahead, a, b);
     const CGAL::Orientation bc = CGAL::orientation(point, ahead, b, c);
     const CGAL::Orientation ca = CGAL::orientation(point, ahead, c, a);

@@ -23,7 +23,7 @@ class Sides {
   };
 
   /// Refers to its arguments, which must stay where they are.
-  Sides(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+  Sides(std::span<const Exact::Point_3> points, std::span<const glm::uvec3> triangles,
         std::span<const std::uint8_t> wanted);
 
   /// Sets `out` to all triangles on a line from the point, which goes roughly along `direction`
@@ -36,7 +36,7 @@ class Sides {
   bool try_pass(const Exact::Point_3& point, const glm::dvec3& direction,
                 std::vector<Passage>& out) const;
 
-  std::span<const glm::dvec3> positions_;
+  std::span<const Exact::Point_3> points_;
   std::span<const glm::uvec3> triangles_;
   std::span<const std::uint8_t> wanted_;
   LeafIndex index_;

@@ -53,7 +53,7 @@ class Judge {
       : tree_(tree),
         leaves_(leaves),
         paths_(tree),
-        sides_(leaves.mesh.positions, leaves.mesh.triangles, leaves.wanted) {}
+        sides_(leaves.corners, leaves.mesh.triangles, leaves.wanted) {}
 
   Survival operator()(const Arrangement& arrangement, const Arrangement::Piece& piece) {
     const auto& points = arrangement.points;
