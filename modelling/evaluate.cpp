@@ -28,13 +28,14 @@ void leave_out_degenerate(LeafTriangles& leaves) {
 // Numbers what is used from 0, and gives it positions without doubles.
 class Corners {
  public:
-  Corners(const std::vector<Exact::Point_3>& points, std::vector<glm::dvec3>& positions)
-      : points_(points), positions_(positions), number_(points.size(), unused) {}
+  Corners(const std::vector<Exact::Point_3>& points, const glm::dmat3& frame,
+          std::vector<glm::dvec3>& positions)
+      : points_(points), frame_(frame), positions_(positions), number_(points.size(), unused) {}
 
   std::uint32_t operator()(std::uint32_t point) {
     if (number_[point] == unused) {
       points_[point].exact();  // so that what is an exact double becomes it
-      const glm::dvec3 p = rounded(points_[point]) + 0.0;  // without negative zeros
+      const glm::dvec3 p = frame_ * rounded(points_[point]) + 0.0;  // without negative zeros
       const auto [found, is_new] = number_of_.try_emplace(
           std::tuple(p.x, p.y, p.z), static_cast<std::uint32_t>(positions_.size()));
       if (is_new) {
@@ -49,6 +50,7 @@ class Corners {
   static constexpr std::uint32_t unused = ~std::uint32_t{0};
 
   const std::vector<Exact::Point_3>& points_;
+  const glm::dmat3& frame_;
   std::vector<glm::dvec3>& positions_;
   std::vector<std::uint32_t> number_;
   std::map<std::tuple<double, double, double>, std::uint32_t> number_of_;
@@ -63,7 +65,7 @@ EvaluatedMesh evaluate(const CsgTree& tree, const TessellationRule& rule) {
   const std::vector<Survival> survival = surviving_pieces(tree, leaves, arrangement);
 
   EvaluatedMesh out;
-  Corners corner(arrangement.points, out.mesh.positions);
+  Corners corner(arrangement.points, leaves.frame, out.mesh.positions);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> face_of;
   for (std::size_t i = 0; i < survival.size(); ++i) {
     if (survival[i] != Survival::gone) {

@@ -12,6 +12,7 @@
 
 #include "csg/set_bounds.hpp"
 #include "geometry/tessellate.hpp"
+#include "modelling/common_frame.hpp"
 #include "modelling/flush_planes.hpp"
 
 namespace raycat {
@@ -96,6 +97,17 @@ void append(const TriangleMesh& mesh, std::uint32_t leaf, LeafTriangles& out) {
   out.leaf.insert(out.leaf.end(), mesh.triangles.size(), leaf);
 }
 
+void to_frame(const glm::dmat3& frame, LeafTriangles& out) {
+  if (frame == glm::dmat3(1.0)) {
+    return;  // and the positions stay as they are to the last bit
+  }
+  out.frame = frame;
+  const glm::dmat3 inverse = glm::inverse(frame);
+  for (glm::dvec3& position : out.mesh.positions) {
+    position = inverse * position;
+  }
+}
+
 }  // namespace
 
 LeafTriangles leaf_triangles(const CsgTree& tree, const TessellationRule& rule) {
@@ -123,11 +135,6 @@ LeafTriangles leaf_triangles(const CsgTree& tree, const TessellationRule& rule) 
              out);
     }
   }
-  out.corners =
-      onto_flush_planes(out.mesh.positions, out.mesh.triangles, out.leaf, flush_tolerance * size);
-  for (std::size_t i = 0; i < out.corners.size(); ++i) {
-    out.mesh.positions[i] = rounded(out.corners[i]);
-  }
   for (std::size_t i = 0; i < out.mesh.triangles.size(); ++i) {
     Bounds box;
     for (int k = 0; k < 3; ++k) {
@@ -136,6 +143,12 @@ LeafTriangles leaf_triangles(const CsgTree& tree, const TessellationRule& rule) 
     Bounds within = intersection(reach[out.leaf[i]], bounds.back());
     within = {.min = within.min - margin, .max = within.max + margin};
     out.wanted.push_back(intersection(box, within).empty() ? 0 : 1);
+  }
+  to_frame(common_frame(tree), out);
+  out.corners =
+      onto_flush_planes(out.mesh.positions, out.mesh.triangles, out.leaf, flush_tolerance * size);
+  for (std::size_t i = 0; i < out.corners.size(); ++i) {
+    out.mesh.positions[i] = rounded(out.corners[i]);
   }
   return out;
 }

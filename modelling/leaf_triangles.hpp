@@ -10,9 +10,10 @@
 
 namespace raycat {
 
-/// The leaves of a tree as triangles in the world, each leaf's closing a volume. Half-spaces end
-/// outside of everything that is bounded.
+/// The leaves of a tree as triangles, each leaf's closing a volume. Half-spaces end outside of
+/// everything that is bounded.
 struct LeafTriangles {
+  glm::dmat3 frame{1.0};                ///< what takes all positions to the world
   TriangleMesh mesh;                    ///< faces are those of the leaf; positions are rounded
   std::vector<Exact::Point_3> corners;  ///< the positions
   std::vector<std::uint32_t> leaf;      ///< of each triangle
