@@ -142,5 +142,23 @@ TEST_CASE("a conversion does not overwrite its scene", "[app][convert][bad]") {
   CHECK(raycat(fmt::format("convert '{}' -o '{}'", out, folder / "no" + "/x.stl")).code == 1);
 }
 
+TEST_CASE("the commands of the page on converting work as printed", "[app][convert]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "out");
+  std::filesystem::create_directory_symlink(RAYCAT_ASSETS, folder.path() / "assets");
+  std::istringstream page(read_file(std::string(RAYCAT_SOURCE) + "/docs/convert.md"));
+  int commands = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("    raycat ")) {
+      const Outcome outcome = shell(fmt::format("cd '{}' && '{}' {}", folder.path().string(),
+                                                RAYCAT_PROGRAM, line.substr(11)));
+      INFO(line << "\n" << outcome.err);
+      CHECK(outcome.code == 0);
+      ++commands;
+    }
+  }
+  CHECK(commands >= 2);
+}
+
 }  // namespace
 }  // namespace raycat

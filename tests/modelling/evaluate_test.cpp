@@ -236,26 +236,34 @@ TEST_CASE("trees of lattice boxes are evaluated as rays see them", "[modelling][
 }
 
 // Leaf by leaf, as a modeller does: with noise in the last bits of what was flush.
-CsgTree turned(const CsgTree& tree, const glm::dmat4& by) {
-  CsgTree out;
+NodeId add_turned(const CsgTree& tree, const glm::dmat4& by, std::uint32_t first_face,
+                  CsgTree& out) {
   std::vector<std::vector<NodeId>> operands(tree.nodes().size());
+  NodeId copy{};
   for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
     const CsgTree::Node& node = tree.nodes()[i];
-    NodeId copy{};
     if (node.leaf == CsgTree::no_leaf) {
       copy = out.add(node.operation, operands[i]);
     } else {
       const CsgLeaf& leaf = tree.leaves()[node.leaf];
+      const auto face = static_cast<std::uint32_t>(leaf.first_face);
       copy = out.add(
           {.shape = PlacedShape(leaf.shape.shape(), Affine(by * leaf.shape.transform().matrix())),
-           .first_face = leaf.first_face});
+           .first_face = SurfaceId{first_face + face}});
     }
     if (node.parent != CsgTree::no_parent) {
       auto& siblings = operands[node.parent];
       siblings.insert(node.subtracted ? siblings.end() : siblings.begin(), copy);
     }
   }
-  return out;
+  return copy;
+}
+
+glm::dmat4 any_turn(Random& random) {
+  const glm::dmat4 once = glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(2.5)),
+                                      uniform(random, 0, 6), glm::dvec3(1, 2, 3));
+  return glm::translate(glm::rotate(once, uniform(random, 0, 6), glm::dvec3(-3, 1, 1)),
+                        glm::dvec3(-2.5));
 }
 
 TEST_CASE("what is flush but for rounding leaves no skin", "[modelling][evaluate][tie]") {
@@ -266,12 +274,8 @@ TEST_CASE("what is flush but for rounding leaves no skin", "[modelling][evaluate
   for (int model = 0; model < 40; ++model) {
     INFO(model);
     const CsgTree plain = any_tree(random, false, 10);
-    const glm::dmat4 turn =
-        glm::translate(glm::rotate(glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(2.5)),
-                                               uniform(random, 0, 6), glm::dvec3(1, 2, 3)),
-                                   uniform(random, 0, 6), glm::dvec3(-3, 1, 1)),
-                       glm::dvec3(-2.5));
-    const CsgTree tree = turned(plain, turn);
+    CsgTree tree;
+    add_turned(plain, any_turn(random), 0, tree);
     const Agreement one = agreement(tree, random, 60);
     CHECK(one.bad == 0);
     crossings += one.crossings;
@@ -288,6 +292,24 @@ TEST_CASE("what is flush but for rounding leaves no skin", "[modelling][evaluate
   }
   CHECK(crossings > 500);
   CHECK(turned_triangles < plain_triangles * 12 / 10);
+}
+
+TEST_CASE("parts that are turned each in its own way leave no skin", "[modelling][evaluate][tie]") {
+  Random random(10);
+  std::size_t crossings = 0;
+  for (int model = 0; model < 15; ++model) {
+    INFO(model);
+    CsgTree tree;
+    const CsgTree first = any_tree(random, false, 6);
+    const auto faces = static_cast<std::uint32_t>(6 * first.leaves().size());
+    const NodeId a = add_turned(first, any_turn(random), 0, tree);
+    const NodeId b = add_turned(any_tree(random, false, 6), any_turn(random), faces, tree);
+    tree.add(model % 2 == 0 ? Operation::set_union : Operation::difference, std::array{a, b});
+    const Agreement one = agreement(tree, random, 60);
+    CHECK(one.bad == 0);
+    crossings += one.crossings;
+  }
+  CHECK(crossings > 200);
 }
 
 TEST_CASE("trees of turned and curved operands are evaluated as rays see them",
