@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/command.hpp"
@@ -64,20 +65,31 @@ Json to_json(const SceneMeasurement& found, const std::vector<std::string>& name
   return all;
 }
 
-// Digits up to the second of the error's, at most nine in all.
+// Decimals up to the second digit of the error.
 std::string text_of(double value, double error) {
-  const double size = std::abs(value);
-  const int digits =
-      error > 0.0 && size > 0.0
-          ? std::clamp(
-                static_cast<int>(std::floor(std::log10(size)) - std::floor(std::log10(error))) + 2,
-                1, 9)
-          : 9;
-  return fmt::format("{:.{}g} +- {:.2g}", value + 0.0, digits, error);
+  const double decimals = error > 0.0 ? 1.0 - std::floor(std::log10(error)) : 99.0;
+  if (decimals > 9.0 || std::abs(value) >= 1e9) {
+    return fmt::format("{:.9g} +- {:.2g}", value + 0.0, error);
+  }
+  const int shown = std::max(0, static_cast<int>(decimals));
+  const std::string text = fmt::format("{:.{}f} +- {:.{}f}", value, shown, error, shown);
+  const bool is_minus_zero =
+      text.starts_with('-') && text.find_first_of("123456789") > text.find(' ');
+  return is_minus_zero ? text.substr(1) : text;
 }
 
 std::string text_of(const std::optional<Estimate>& estimate) {
   return estimate ? text_of(estimate->value, estimate->error) : "none";
+}
+
+// Rays find a corner at 0 but for rounding.
+std::string corner(const glm::dvec3& point, double size) {
+  std::string text;
+  for (int k = 0; k < 3; ++k) {
+    text += fmt::format("{}{:.6g}", k == 0 ? "" : ", ",
+                        std::abs(point[k]) < 1e-9 * size ? 0.0 : point[k]);
+  }
+  return text;
 }
 
 void print_table(const SceneMeasurement& found, const std::vector<std::string>& names) {
@@ -94,10 +106,9 @@ void print_table(const SceneMeasurement& found, const std::vector<std::string>& 
       print(fmt::format("  centroid  {}", text));
     }
     if (!one.bounds.empty()) {
-      const glm::dvec3 low = one.bounds.min + 0.0;
-      const glm::dvec3 high = one.bounds.max + 0.0;
-      print(fmt::format("  bounds    {:.6g}, {:.6g}, {:.6g} to {:.6g}, {:.6g}, {:.6g}", low.x,
-                        low.y, low.z, high.x, high.y, high.z));
+      const double size = glm::length(one.bounds.half_size());
+      print(fmt::format("  bounds    {} to {}", corner(one.bounds.min, size),
+                        corner(one.bounds.max, size)));
     }
   };
   for (std::size_t i = 0; i < names.size(); ++i) {

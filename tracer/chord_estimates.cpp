@@ -37,9 +37,11 @@ Mean over_face(const ObjectChords& chords, int axis, const Value& value) {
 double length_of(const ChordSums& sums, ChordsOf which) { return (sums.*which).length; }
 
 // How much each axis counts in what all of them give whole: by its precision, but none for nearly
-// everything, for an axis can seem precise because all its rays miss the same thing.
+// everything, for an axis can seem precise because all its rays miss the same thing. And all alike
+// where few rays tell: the more of them miss, the more precise they seem.
 std::array<double, 3> weights(const ObjectChords& chords, ChordsOf which) {
-  constexpr double doubt = 0.25;  // in mean variances
+  constexpr double doubt = 0.25;      // in mean variances
+  constexpr std::uint64_t few = 256;  // in a batch
   std::array<double, 3> out{};
   double mean = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -49,9 +51,10 @@ std::array<double, 3> weights(const ObjectChords& chords, ChordsOf which) {
                }).variance;
     mean += variance / 3.0;
   }
+  const bool telling = chords.axes[0][0].rays >= few;
   double sum = 0.0;
   for (double& one : out) {
-    one = mean > 0.0 ? mean / (one + doubt * mean) : 1.0;
+    one = telling && mean > 0.0 ? mean / (one + doubt * mean) : 1.0;
     sum += one;
   }
   for (double& one : out) {

@@ -7,8 +7,7 @@ namespace raycat {
 namespace {
 
 constexpr double last_step = 1e-6;
-constexpr int most_steps = 200;
-constexpr int directions = 6;
+constexpr double shrinking = 0.7;  // where no direction leads on; slow, for they turn meanwhile
 constexpr double golden_angle = 2.399963229728653;
 
 // One side of the box.
@@ -17,31 +16,44 @@ class Climb {
   Climb(const Solid& solid, int side, Solid::Scratch& scratch)
       : solid_(solid), axis_(side / 2), upper_(side % 2 == 1), scratch_(scratch) {}
 
-  double highest(const glm::dvec3& start, double step) const {
+  double highest(const glm::dvec3& start, double step, std::uint64_t rounds) const {
     const Bounds& box = solid_.bounds();
     const double limit = outward(upper_ ? box.max : box.min);
     const double size = 2.0 * box.half_size()[axis_];
     glm::dvec3 best = start;
     double height = outward(start);
-    for (int i = 0; i < most_steps && step > last_step && limit - height > 1e-12 * size; ++i) {
+    glm::dvec2 progress(0.0, 1.0);
+    for (std::uint64_t i = 0; i < rounds && step > last_step && limit - height > 1e-12 * size;
+         ++i) {
       const glm::dvec3 from = best;
-      for (int k = 0; k < directions; ++k) {
-        // Turned each time, so that no ridge lies between the directions for long.
-        const double angle = golden_angle * i + 6.283185307179586 * k / directions;
-        glm::dvec3 next = from;
-        next[(axis_ + 1) % 3] += step * std::cos(angle) * 2.0 * box.half_size()[(axis_ + 1) % 3];
-        next[(axis_ + 2) % 3] += step * std::sin(angle) * 2.0 * box.half_size()[(axis_ + 2) % 3];
-        if (const double found = height_at(next); found > height) {
-          height = found;
-          best = next;
+      // Along the axes and the way it went on, for both often follow a crease, which other
+      // directions lead off; and in turning directions.
+      const double angle = golden_angle * static_cast<double>(i);
+      for (const glm::dvec2& way : {glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), progress,
+                                    glm::dvec2(std::cos(angle), std::sin(angle))}) {
+        for (const double along : {step, -step}) {
+          const glm::dvec3 next = moved(from, along * way);
+          if (const double found = height_at(next); found > height) {
+            height = found;
+            best = next;
+            progress = along < 0.0 ? -way : way;
+          }
         }
       }
-      step *= best == from ? 0.5 : 1.0;
+      step *= best == from ? shrinking : 1.0;
     }
     return upper_ ? height : -height;
   }
 
  private:
+  // By parts of the sides of the box.
+  glm::dvec3 moved(glm::dvec3 point, const glm::dvec2& by) const {
+    const glm::dvec3 size = 2.0 * solid_.bounds().half_size();
+    point[(axis_ + 1) % 3] += by.x * size[(axis_ + 1) % 3];
+    point[(axis_ + 2) % 3] += by.y * size[(axis_ + 2) % 3];
+    return point;
+  }
+
   double outward(const glm::dvec3& point) const { return upper_ ? point[axis_] : -point[axis_]; }
 
   // Of the surface on the line through the point.
@@ -64,15 +76,17 @@ class Climb {
 
 }  // namespace
 
-Bounds farthest(const Solid& solid, const Extremes& start, double spacing,
+Bounds farthest(const Solid& solid, const Extremes& start, double spacing, std::uint64_t most_rays,
                 Solid::Scratch& scratch) {
+  constexpr std::uint64_t rays_a_round = 8;
   Bounds box;
   if (start.empty) {
     return box;
   }
   for (int side = 0; side < 6; ++side) {
-    const double found =
-        Climb(solid, side, scratch).highest(start.points[static_cast<std::size_t>(side)], spacing);
+    const double found = Climb(solid, side, scratch)
+                             .highest(start.points[static_cast<std::size_t>(side)], spacing,
+                                      most_rays / (6 * rays_a_round));
     (side % 2 == 0 ? box.min : box.max)[side / 2] = found;
   }
   return box;

@@ -84,7 +84,7 @@ void find_bounds(const Solid& solid, Target& target, Solid::Scratch& scratch) {
         extremes.include(axis[i].sums.extremes);
       }
     }
-    found[half] = farthest(solid, extremes, spacing, scratch);
+    found[half] = farthest(solid, extremes, spacing, target.rays, scratch);
     target.bounds.include(found[half]);
   }
   if (!target.bounds.empty()) {

@@ -148,6 +148,31 @@ TEST_CASE("neither size nor place costs precision", "[tracer][measure]") {
   CHECK(ball.bounds.min.z == Approx(-size).margin(1e-6 * size));
 }
 
+TEST_CASE("bounds are found on creases and tips that no ray of the sums has met",
+          "[tracer][measure]") {
+  SceneBuilder builder;
+  const MaterialId grey = builder.material({});
+  const double angle = 0.55;  // of the box around the y axis
+  const glm::dmat4 round = glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0, 1, 0));
+  builder.shape("cone", Cylinder{4.0, 0.0, 3.0}, glm::dmat4(1.0), grey)
+      .shape("leaning box", Box{glm::dvec3(1.0)}, turned(0.6), grey)
+      .pair("die", Operation::intersection, Box{glm::dvec3(2.0)}, round, Sphere{1.3}, round, grey);
+  const SceneMeasurement found = measure(builder.take(), rays, 1);
+  const auto is = [](const Measurement& one, const glm::dvec3& half) {
+    for (int k = 0; k < 3; ++k) {
+      CHECK(one.bounds.max[k] == Approx(half[k]).epsilon(1e-5));
+      CHECK(one.bounds.min[k] == Approx(-half[k]).epsilon(1e-5));
+      CHECK(one.bounds_max_error[k] < 1e-4);
+    }
+  };
+  is(found.objects[0], {3.0, 2.0, 3.0});
+  const glm::dmat3 box(turned(0.6));
+  is(found.objects[1], 0.5 * (glm::abs(box[0]) + glm::abs(box[1]) + glm::abs(box[2])));
+  // On the circle where the ball leaves a face of the box.
+  const double reach = std::cos(angle) + std::sin(angle) * std::sqrt(1.3 * 1.3 - 1.0);
+  is(found.objects[2], {reach, 1.0, reach});
+}
+
 TEST_CASE("errors are as large as they are said to be", "[tracer][measure]") {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -193,6 +218,20 @@ TEST_CASE("errors are as large as they are said to be", "[tracer][measure]") {
   CHECK(far_off <= trials / 50);
   CHECK(squares / trials > 0.4);
   CHECK(squares / trials < 1.3);
+}
+
+TEST_CASE("few rays at each of many objects add up to the right total", "[tracer][measure]") {
+  // More than one ray in two misses these, which must not make the others count for more.
+  constexpr int count = 1500;
+  SceneBuilder builder;
+  const MaterialId grey = builder.material({});
+  for (int i = 0; i < count; ++i) {
+    builder.shape("needle", Cylinder{4.0, 0.1, 0.1}, at(9.0 * i, 0, 0) * turned(0.8), grey);
+  }
+  const Measurement total = measure(builder.take(), 1, 2).total;
+  const double volume = count * 0.04 * pi;
+  CHECK(std::abs(total.volume->value - volume) < 3.5 * total.volume->error);
+  CHECK(total.volume->error < 0.1 * volume);
 }
 
 TEST_CASE("an open mesh has an area and bounds, and a word on its hole", "[tracer][measure]") {
