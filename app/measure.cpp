@@ -16,11 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t default_rays = 1 << 17;
-
 struct MeasureOptions {
   CommonOptions common;
-  std::uint64_t rays = default_rays;
+  std::uint64_t rays = default_measure_rays;
 };
 
 Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }

@@ -42,6 +42,10 @@ struct SceneMeasurement {
   std::uint64_t rays = 0;            ///< cast for volumes and areas
 };
 
+/// 2^12 for each of the 24 batches of one object, since 2^k points of a batch's sequence are spread
+/// most evenly.
+inline constexpr std::uint64_t default_measure_rays = 24 * 4096;
+
 /// Measures by rays along the three axes, `rays` of them, shared out among the objects, or the 24
 /// an object that the errors need. Depends on nothing else: not on the number of threads.
 ///

@@ -25,7 +25,6 @@ std::vector<std::string> fields(const std::string& line) {
 }
 
 TEST_CASE("volumes and areas of real .csg files are OpenSCAD's", "[io][openscad][measure]") {
-  constexpr std::uint64_t default_rays = 1 << 17;
   std::ifstream manifest(corpus() / "csg" / "manifest.csv");
   if (!manifest) {
     WARN("skipped: no corpus");
@@ -44,7 +43,7 @@ TEST_CASE("volumes and areas of real .csg files are OpenSCAD's", "[io][openscad]
     INFO(row[0]);
     const SceneFile file = load_scene(corpus() / "csg" / row[0]);
     const std::clock_t start = std::clock();
-    const Measurement total = measure(file.scene, default_rays, 2).total;
+    const Measurement total = measure(file.scene, default_measure_rays, 2).total;
     seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const double volume = std::stod(row[7]);
     const double area = std::stod(row[8]);
