@@ -67,6 +67,13 @@ class SceneReader {
     std::size_t cut_leaf = 0;  // the first leaf that is subtracted
   };
 
+  // Leaves whose surfaces have the material of another, as `cut_material` asks.
+  struct Cut {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t base = 0;
+  };
+
   void read_objects() {
     in_tree_.assign(document_.model.nodes.size(), false);
     for (const std::size_t node : nodes_.order) {
@@ -170,6 +177,22 @@ class SceneReader {
     last_added_ = tree.tree.add(CsgLeaf{.shape = std::move(placed), .first_face = first});
   }
 
+  // Of cuts in cuts, the outermost counts, whose base none of them holds.
+  void cover_cuts(TreeAssembly& tree) {
+    std::ranges::sort(cuts_, [](const Cut& a, const Cut& b) {
+      return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+    });
+    std::size_t covered = 0;
+    for (const Cut& cut : cuts_) {
+      for (; covered < cut.end; ++covered) {
+        if (covered >= cut.begin) {
+          tree.materials[covered] = tree.materials[cut.base];
+        }
+      }
+    }
+    cuts_.clear();
+  }
+
   // Children before parents, without recursion: trees are as deep as their authors like.
   void read_tree(std::size_t root, TreeAssembly& tree) {
     std::vector<Frame> frames;
@@ -191,6 +214,7 @@ class SceneReader {
         frames.back().operands.push_back(*node);
       }
     }
+    cover_cuts(tree);
   }
 
   Frame enter(std::size_t node, TreeAssembly& tree) {
@@ -236,8 +260,8 @@ class SceneReader {
     }
     if (frame.extras.cut_material == CutMaterial::base &&
         frame.extras.csg == Operation::difference && frame.operands.size() > 1) {
-      std::fill(tree.materials.begin() + static_cast<std::ptrdiff_t>(frame.cut_leaf),
-                tree.materials.end(), tree.materials[frame.first_leaf]);
+      cuts_.push_back(
+          {.begin = frame.cut_leaf, .end = tree.tree.leaves().size(), .base = frame.first_leaf});
     }
     if (frame.operands.size() == 1 && !frame.extras.csg) {
       return frame.operands.front();
@@ -304,6 +328,7 @@ class SceneReader {
   std::vector<bool> in_tree_;  // nodes that a CSG tree above them has taken in
   std::optional<MaterialId> default_material_;
   CsgTree::NodeId last_added_{};
+  std::vector<Cut> cuts_;  // of the tree being read
   std::map<const SceneFile*, std::uint32_t> asset_materials_;
   std::size_t placed_ = 0;
 };

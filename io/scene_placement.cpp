@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "geometry/mesh.hpp"
 #include "io/gltf_mesh.hpp"
@@ -67,8 +68,11 @@ CsgTree::NodeId add_tree(const Scene& part, const SolidObject& solid, const Plac
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].parent != CsgTree::no_parent) {
       auto& siblings = children[nodes[i].parent];
+      siblings.push_back(i);
       // What is subtracted from goes first, wherever it was added.
-      siblings.insert(nodes[i].subtracted ? siblings.end() : siblings.begin(), i);
+      if (nodes[nodes[i].parent].operation == Operation::difference && !nodes[i].subtracted) {
+        std::swap(siblings.front(), siblings.back());
+      }
     }
   }
   std::vector<CsgTree::NodeId> copies(nodes.size());
