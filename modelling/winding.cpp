@@ -1,15 +1,19 @@
 #include "modelling/winding.hpp"
 
 #include <cmath>
-#include <cstdint>
-#include <memory>
+#include <cstddef>
+#include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include "modelling/crossing_limit.hpp"
 
 namespace raycat {
 namespace {
@@ -21,36 +25,7 @@ struct Sum {
   int operator()(int a, int b) const { return a + b; }
 };
 
-// Straight edges, until there are too many places where they meet: n edges may cross n^2 times.
-class LimitedSegments : public CGAL::Arr_segment_traits_2<Kernel> {
- public:
-  class Intersect_2 {
-   public:
-    Intersect_2(const LimitedSegments& traits)
-        : intersect_(traits.Arr_segment_traits_2::intersect_2_object()),
-          left_(traits.left_.get()) {}
-
-    template <typename Out>
-    Out operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b, Out out) const {
-      if (--*left_ < 0) {
-        throw std::length_error("polygons cross each other in too many places");
-      }
-      return intersect_(a, b, out);
-    }
-
-   private:
-    CGAL::Arr_segment_traits_2<Kernel>::Intersect_2 intersect_;
-    std::int64_t* left_;
-  };
-
-  Intersect_2 intersect_2_object() const { return {*this}; }
-  void allow(std::int64_t crossings) { *left_ = crossings; }
-
- private:
-  std::shared_ptr<std::int64_t> left_ = std::make_shared<std::int64_t>(0);  // of all copies
-};
-
-using Traits = CGAL::Arr_curve_data_traits_2<LimitedSegments, int, Sum>;
+using Traits = CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, int, Sum>;
 
 struct Face {
   int winding = 0;
@@ -69,9 +44,6 @@ void arrange(std::span<const WindingEdge> edges, Plane& plane) {
   std::vector<Traits::Curve_2> curves;
   curves.reserve(edges.size());
   for (const auto& [from, to, turns] : edges) {
-    if (!is_finite(from) || !is_finite(to)) {
-      throw std::invalid_argument("a polygon has a corner that is not finite");
-    }
     if (from == to) {
       continue;
     }
@@ -204,11 +176,13 @@ void follow(const Edge& first, std::vector<Edge>& path, Polygons& out) {
 
 template <typename Inside>
 Polygons region(std::span<const WindingEdge> edges, Inside inside) {
-  constexpr std::int64_t most_crossings = 200'000;
-  constexpr std::int64_t for_each_edge = 8;  // meets its neighbours
-  Traits traits;
-  traits.allow(most_crossings + for_each_edge * static_cast<std::int64_t>(edges.size()));
-  Plane plane(&traits);
+  for (const WindingEdge& edge : edges) {
+    if (!is_finite(edge.from) || !is_finite(edge.to)) {
+      throw std::invalid_argument("a polygon has a corner that is not finite");
+    }
+  }
+  require_few_crossings(edges);
+  Plane plane;
   arrange(edges, plane);
   wind(plane, inside);
   Polygons out;

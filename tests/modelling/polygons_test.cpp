@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -205,6 +206,19 @@ TEST_CASE("a contour that crosses itself too often is refused", "[modelling][pol
   std::mt19937 random(4);
   CHECK_THROWS_WITH(even_odd(std::vector<Contour>{random_contour(random, 5000, 1e6)}),
                     "polygons cross each other in too many places");
+}
+
+TEST_CASE("edges that overlap in one line are no matter, if not too many",
+          "[modelling][polygons]") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1e6, 1e6);
+  std::vector<Contour> boxes;
+  for (int i = 0; i < 500; ++i) {
+    const double x = place(random);
+    boxes.push_back({{x, 0}, {x + 1e5, 0}, {x + 1e5, 1}, {x, 1}});
+  }
+  CHECK(even_odd(boxes).contours.size() > 50);
+  CHECK_THROWS_AS(even_odd(std::vector<Contour>(1000, boxes[0])), std::length_error);
 }
 
 TEST_CASE("a Minkowski sum of large contours is refused", "[modelling][polygons]") {
