@@ -1,6 +1,8 @@
 #include "modelling/polygons.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
@@ -52,7 +54,11 @@ Polygons transformed(const Polygons& polygons, const glm::dmat3x2& map) {
     Contour& image = out.contours.emplace_back();
     image.reserve(contour.size());
     for (const glm::dvec2& p : contour) {
-      image.push_back(map[0] * p.x + map[1] * p.y + map[2]);
+      const glm::dvec2 q = map[0] * p.x + map[1] * p.y + map[2];
+      if (!std::isfinite(q.x) || !std::isfinite(q.y)) {
+        throw std::invalid_argument("a polygon has a corner that is not finite");
+      }
+      image.push_back(q);
     }
     if (turn < 0.0) {
       std::ranges::reverse(image);

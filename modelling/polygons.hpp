@@ -31,7 +31,8 @@ Polygons even_odd(std::span<const Contour> contours);
 Polygons combined(Operation operation, std::span<const Polygons> operands);
 
 /// The image under an affine map (columns: those of x and y, and the origin). A mirror image is
-/// turned to run the right way; of a map that flattens the plane nothing is left.
+/// turned to run the right way; of a map that flattens the plane nothing is left. Throws
+/// `std::invalid_argument` if a coordinate comes to be infinite.
 Polygons transformed(const Polygons& polygons, const glm::dmat3x2& map);
 
 /// The convex hull of all together.

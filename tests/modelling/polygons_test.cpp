@@ -199,6 +199,8 @@ TEST_CASE("large, small and bad coordinates are no matter", "[modelling][polygon
   CHECK_THROWS_WITH(even_odd(std::vector<Contour>{
                         {{0, 0}, {1, 0}, {0, std::numeric_limits<double>::quiet_NaN()}}}),
                     "a polygon has a corner that is not finite");
+  CHECK_THROWS_WITH(transformed({{square(0, 0, 1e200)}}, {{1e200, 0}, {0, 1}, {0, 0}}),
+                    "a polygon has a corner that is not finite");
   CHECK(even_odd(std::vector<Contour>{{}, {{1, 1}}, {{1, 1}, {2, 2}}}).contours.empty());
 }
 
