@@ -19,8 +19,9 @@ std::uint32_t facet_count(double radius, const FacetRule& rule) {
   constexpr double least = 0.01;
   const double by_angle = 360.0 / std::max(rule.angle, least);
   const double by_size = 2.0 * std::numbers::pi * radius / std::max(rule.size, least);
-  const double count = std::ceil(rule.number > 0.0 ? std::max(rule.number, 3.0)
-                                                   : std::max(std::min(by_angle, by_size), 5.0));
+  const double count = rule.number > 0.0  // $fn is cut, as OpenSCAD 2021.01 does it
+                           ? std::floor(std::max(rule.number, 3.0))
+                           : std::ceil(std::max(std::min(by_angle, by_size), 5.0));
   if (!(count <= most_corners)) {
     throw std::length_error(
         fmt::format("circles have at most {} corners, but this has {:g}", most_corners, count));

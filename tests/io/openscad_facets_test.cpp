@@ -31,7 +31,7 @@ TEST_CASE("a circle has as many corners as OpenSCAD gives it", "[io][openscad]")
   CHECK(facet_count(1e-7, rule) == 3);   // below OpenSCAD's grid
   CHECK(facet_count(1.0, {.number = 1.0}) == 3);
   CHECK(facet_count(1.0, {.number = 7.0}) == 7);
-  CHECK(facet_count(1.0, {.number = 3.5}) == 4);
+  CHECK(facet_count(1.0, {.number = 3.9}) == 3);
   CHECK(facet_count(10.0, {.angle = 0.0, .size = 0.0}) == 6284);  // $fs is at least 0.01
   CHECK(facet_count(1000.0, {.angle = 1.0, .size = 1.0}) == 360);
   CHECK_THROWS_WITH(facet_count(1.0, {.number = 1e9}),
