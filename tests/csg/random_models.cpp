@@ -1,6 +1,7 @@
 #include "tests/csg/random_models.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -165,6 +166,22 @@ Model two(Operation operation, PlacedShape a, PlacedShape b) {
   add_leaf(model, std::move(b));
   model.expression = {.operation = operation, .operands = {{.leaf = 0}, {.leaf = 1}}};
   return model;
+}
+
+TriangleMesh box_mesh(const glm::dvec3& size) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.positions.push_back(
+        0.5 * size *
+        glm::dvec3((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1));
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    mesh.faces.push_back(std::array{4u, 5u, 2u, 3u, 0u, 1u}[i / 2]);
+  }
+  mesh.face_count = 6;
+  return mesh;
 }
 
 }  // namespace raycat

@@ -8,6 +8,7 @@
 
 #include "csg/solid.hpp"
 #include "csg/tree.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/ray.hpp"
 
 namespace raycat {
@@ -48,6 +49,9 @@ PlacedShape any_shape(Random& random);
 
 /// On an integer lattice, where flush faces are everywhere, so that ties are the rule.
 PlacedShape integer_box(Random& random);
+
+/// As `Box`, faces and all.
+TriangleMesh box_mesh(const glm::dvec3& size);
 
 /// Of up to 27 leaves.
 Model any_model(unsigned seed, const std::function<PlacedShape(Random&)>& shape);
