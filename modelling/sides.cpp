@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 
 #include <glm/geometric.hpp>
-
 
 namespace raycat {
 namespace {
@@ -47,7 +47,11 @@ void Sides::pass(const Exact::Point_3& point, glm::dvec3 direction,
                  std::vector<Passage>& out) const {
   const double length = glm::length(direction);
   direction = length > 0.0 ? direction / length : glm::dvec3(1.0, 0.0, 0.0);
+  constexpr int most_attempts = 10000;  // of which the first nearly always does
   for (int attempt = 0; !try_pass(point, direction + 0.5 * nudge(attempt), out); ++attempt) {
+    if (attempt == most_attempts) {
+      throw std::runtime_error("a CSG tree could not be evaluated: no line is clear of all edges");
+    }
   }
 }
 
