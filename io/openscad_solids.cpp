@@ -369,6 +369,10 @@ void Evaluator::combine_solid(std::uint32_t at, const std::vector<std::uint32_t>
 
 // Stretches what is below in its own frame, and takes it to that of the node.
 void Evaluator::resize(std::uint32_t at) {
+  resized_ += nodes_[at].end - at;
+  if (resized_ > most_resized) {
+    Context::fail(nodes_[at], "there are too many resizes within each other");
+  }
   Bounds box;
   for (const glm::dvec3& point : operand_points(out_.items, at)) {
     box.include(point);

@@ -1,15 +1,13 @@
 #include "modelling/mesh_minkowski_sum.hpp"
 
 #include <cstddef>
-#include <memory>
+#include <queue>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
-#include "csg/tree.hpp"
 #include "modelling/convex_hull.hpp"
 #include "modelling/convex_parts.hpp"
-#include "modelling/evaluate.hpp"
+#include "modelling/nef.hpp"
 
 namespace raycat {
 namespace {
@@ -49,20 +47,24 @@ TriangleMesh minkowski_sum(const TriangleMesh& a, const TriangleMesh& b) {
   if (parts_of_a.size() == 1 && parts_of_b.size() == 1) {
     return sum(parts_of_a.front(), parts_of_b.front());
   }
-  CsgTree tree;
-  std::vector<CsgTree::NodeId> sums;
+  // The smallest first, so that few are large.
+  const auto larger = [](const Nef& p, const Nef& q) {
+    return p.number_of_vertices() > q.number_of_vertices();
+  };
+  std::priority_queue<Nef, std::vector<Nef>, decltype(larger)> sums(larger);
   for (const Corners& p : parts_of_a) {
     for (const Corners& q : parts_of_b) {
-      const auto first = static_cast<SurfaceId>(sums.size());
-      sums.push_back(tree.add({.shape = PlacedShape(std::make_shared<const ClosedMesh>(sum(p, q))),
-                               .first_face = first}));
+      sums.push(nef_of(sum(p, q)));
     }
   }
-  tree.add(Operation::set_union, sums);
-  TriangleMesh united = evaluate(tree, {}).mesh;
-  united.faces.assign(united.triangles.size(), 0);
-  united.face_count = 1;
-  return united;
+  while (sums.size() > 1) {
+    const Nef first = sums.top();
+    sums.pop();
+    const Nef second = sums.top();
+    sums.pop();
+    sums.push(first + second);
+  }
+  return mesh_of(sums.top());
 }
 
 }  // namespace raycat

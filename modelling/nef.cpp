@@ -1,0 +1,148 @@
+#include "modelling/nef.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_incremental_builder_3.h>
+
+#include "geometry/edge_uses.hpp"
+
+namespace raycat {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+
+class Builder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
+ public:
+  explicit Builder(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  void operator()(Polyhedron::HalfedgeDS& to) override {
+    CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(to, false);
+    builder.begin_surface(mesh_.positions.size(), mesh_.triangles.size());
+    for (const glm::dvec3& p : mesh_.positions) {
+      builder.add_vertex(Kernel::Point_3(p.x, p.y, p.z));
+    }
+    for (const glm::uvec3& t : mesh_.triangles) {
+      const std::array<std::size_t, 3> corners{t.x, t.y, t.z};
+      if (!builder.test_facet(corners.begin(), corners.end())) {
+        throw std::runtime_error("the surface touches itself along an edge");
+      }
+      builder.add_facet(corners.begin(), corners.end());
+    }
+    builder.end_surface();
+    builder.remove_unconnected_vertices();
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+};
+
+Nef filled(const TriangleMesh& shell) {
+  Polyhedron polyhedron;
+  Builder builder(shell);
+  polyhedron.delegate(builder);
+  if (!polyhedron.is_closed()) {
+    throw std::runtime_error("the surface is not closed");
+  }
+  return Nef(polyhedron);
+}
+
+// The parts of a surface that no edge joins.
+std::vector<TriangleMesh> shells(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto find = [&](std::uint32_t i) {
+    while (parent[i] != i) {
+      i = parent[i] = parent[parent[i]];
+    }
+    return i;
+  };
+  const EdgeUses edges = edge_uses(mesh.triangles, mesh.positions.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    for (const std::uint32_t half : edges[edge]) {
+      parent[find(half / 3)] = find(edges[edge].front() / 3);
+    }
+  }
+  std::map<std::uint32_t, std::vector<glm::uvec3>> shell_of;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    shell_of[find(i)].push_back(mesh.triangles[i]);
+  }
+  std::vector<TriangleMesh> out;
+  std::vector<std::uint32_t> number(mesh.positions.size());
+  std::vector<std::size_t> numbered_in(mesh.positions.size(), 0);
+  for (const auto& [first, triangles] : shell_of) {
+    TriangleMesh& shell = out.emplace_back();
+    for (const glm::uvec3& triangle : triangles) {
+      glm::uvec3& corners = shell.triangles.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t corner = triangle[k];
+        if (numbered_in[corner] != out.size()) {
+          numbered_in[corner] = out.size();
+          number[corner] = static_cast<std::uint32_t>(shell.positions.size());
+          shell.positions.push_back(mesh.positions[corner]);
+        }
+        corners[k] = number[corner];
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+// From the largest shell to the smallest, of which those turned inside out are cavities.
+Nef nef_of(const TriangleMesh& mesh) {
+  std::vector<std::pair<double, TriangleMesh>> all;
+  for (TriangleMesh& shell : shells(mesh)) {
+    const double volume = signed_volume(shell);
+    all.emplace_back(volume, std::move(shell));
+  }
+  std::ranges::sort(
+      all, [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+  Nef nef;
+  for (auto& [volume, shell] : all) {
+    if (volume > 0.0) {
+      nef += filled(shell);
+      continue;
+    }
+    for (glm::uvec3& triangle : shell.triangles) {
+      std::swap(triangle.y, triangle.z);
+    }
+    nef -= filled(shell);
+  }
+  return nef;
+}
+
+TriangleMesh mesh_of(const Nef& nef) {
+  if (!nef.is_simple()) {
+    throw std::runtime_error("the result touches itself along an edge");
+  }
+  Polyhedron polyhedron;
+  nef.convert_to_polyhedron(polyhedron);
+  TriangleMesh mesh;
+  std::map<Polyhedron::Vertex_const_handle, std::uint32_t> number;
+  for (auto vertex = polyhedron.vertices_begin(); vertex != polyhedron.vertices_end(); ++vertex) {
+    number[vertex] = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back(rounded(vertex->point()));
+  }
+  for (auto facet = polyhedron.facets_begin(); facet != polyhedron.facets_end(); ++facet) {
+    const auto edge = facet->facet_begin();
+    mesh.triangles.emplace_back(number.at(edge->vertex()), number.at(edge->next()->vertex()),
+                                number.at(edge->next()->next()->vertex()));
+  }
+  mesh.faces.assign(mesh.triangles.size(), 0);
+  mesh.face_count = mesh.triangles.empty() ? 0 : 1;
+  return mesh;
+}
+
+}  // namespace raycat
