@@ -13,6 +13,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
+#include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 
 #include "geometry/edge_uses.hpp"
 
@@ -124,21 +125,15 @@ Nef nef_of(const TriangleMesh& mesh) {
 }
 
 TriangleMesh mesh_of(const Nef& nef) {
-  if (!nef.is_simple()) {
-    throw std::runtime_error("the result touches itself along an edge");
-  }
-  Polyhedron polyhedron;
-  nef.convert_to_polyhedron(polyhedron);
+  std::vector<Exact::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  CGAL::convert_nef_polyhedron_to_polygon_soup(nef, points, polygons, true);
   TriangleMesh mesh;
-  std::map<Polyhedron::Vertex_const_handle, std::uint32_t> number;
-  for (auto vertex = polyhedron.vertices_begin(); vertex != polyhedron.vertices_end(); ++vertex) {
-    number[vertex] = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.push_back(rounded(vertex->point()));
+  for (const Exact::Point_3& point : points) {
+    mesh.positions.push_back(rounded(point));
   }
-  for (auto facet = polyhedron.facets_begin(); facet != polyhedron.facets_end(); ++facet) {
-    const auto edge = facet->facet_begin();
-    mesh.triangles.emplace_back(number.at(edge->vertex()), number.at(edge->next()->vertex()),
-                                number.at(edge->next()->next()->vertex()));
+  for (const std::vector<std::size_t>& corners : polygons) {
+    mesh.triangles.emplace_back(corners.at(0), corners.at(1), corners.at(2));
   }
   mesh.faces.assign(mesh.triangles.size(), 0);
   mesh.face_count = mesh.triangles.empty() ? 0 : 1;

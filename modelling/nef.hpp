@@ -15,8 +15,7 @@ using Nef = CGAL::Nef_polyhedron_3<Exact>;
 /// closed or touches itself along an edge.
 Nef nef_of(const TriangleMesh& mesh);
 
-/// The boundary as a closed mesh of one face, in doubles. Throws `std::runtime_error` if it touches
-/// itself along an edge or at a corner.
+/// The boundary as a closed mesh of one face, in doubles.
 TriangleMesh mesh_of(const Nef& nef);
 
 }  // namespace raycat

@@ -44,7 +44,7 @@ TEST_CASE("every raycat command of the README works as printed", "[app][readme]"
 }
 
 TEST_CASE("every raycat command of the other pages works as printed", "[app][readme]") {
-  for (const char* const page : {"maps", "path-expressions", "convert", "measure"}) {
+  for (const char* const page : {"maps", "path-expressions", "scene-files", "convert", "measure"}) {
     const auto commands = commands_of(fmt::format("docs/{}.md", page), "raycat ");
     CHECK(commands.size() >= 2);
     check_all(commands);
