@@ -14,6 +14,7 @@
 #include "io/mesh_file.hpp"
 #include "io/scene_file.hpp"
 #include "tests/io/scene_text.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace raycat {
 namespace {
@@ -130,6 +131,10 @@ TEST_CASE("real .csg files are the solids that OpenSCAD evaluates them to", "[io
   }
   for (const std::filesystem::path& file : files) {
     INFO(file.filename());
+    if (sanitized && file.filename().string().starts_with("minkowski3-difference")) {
+      WARN("left out of a sanitizer's build for its time: " << file.filename());
+      continue;
+    }
     const SceneFile scene = load_scene(file);
     std::filesystem::path stl = file;
     TriangleMesh mesh = read_mesh_file(stl.replace_extension(".stl"));
