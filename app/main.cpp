@@ -25,7 +25,8 @@ CLI::Validator number_in(double low, double high) {
 
 void add_common(CLI::App& command, CommonOptions& options) {
   options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  command.add_option("SCENE", options.scene, "Scene file: .gltf .glb .csg .scad .obj .ply .stl .off")
+  command
+      .add_option("SCENE", options.scene, "Scene file: .gltf .glb .csg .scad .obj .ply .stl .off")
       ->required();
   command.add_option("--threads", options.threads, "Threads; all by default")
       ->type_name("N")

@@ -1,12 +1,11 @@
 #include "modelling/convex_parts.hpp"
 
-// Before the decomposition, which does not include what it uses.
-#include "modelling/nef.hpp"
-
+#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/convex_decomposition_3.h>
 
 #include "modelling/convex_hull.hpp"
+#include "modelling/nef.hpp"
 
 namespace raycat {
 namespace {

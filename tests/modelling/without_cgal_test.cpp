@@ -8,7 +8,7 @@ namespace {
 
 TEST_CASE("without CGAL, what needs it says so", "[modelling]") {
   const std::string message =
-      "this raycat was built without CGAL, which makes hulls and meshes of CSG";
+      "this raycat was built without CGAL, which makes hulls, extrusions and meshes of CSG";
   CHECK_THROWS_WITH(convex_hull({}), message);
   CHECK_THROWS_WITH(evaluate(CsgTree()), message);
 }

@@ -63,8 +63,9 @@ TEST_CASE("framing shows the whole box", "[tracer][camera]") {
   const auto [width, height] = GENERATE(std::pair(400, 200), std::pair(200, 400));
   const bool orthographic = GENERATE(false, true);
   const glm::dvec3 up = GENERATE(glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1));
-  const ImagePlane plane(frame(box, three_quarter(up), up, static_cast<double>(width) / height, orthographic), width,
-                         height);
+  const ImagePlane plane(
+      frame(box, three_quarter(up), up, static_cast<double>(width) / height, orthographic), width,
+      height);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec2 seen = plane.project({(corner & 1) != 0 ? box.min.x : box.max.x,
                                            (corner & 2) != 0 ? box.min.y : box.max.y,
