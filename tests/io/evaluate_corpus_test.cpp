@@ -39,14 +39,6 @@ std::vector<Known> listed(const std::string& kind) {
   return out;
 }
 
-double volume(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const glm::uvec3& t : mesh.triangles) {
-    sum += glm::dot(mesh.positions[t.x], glm::cross(mesh.positions[t.y], mesh.positions[t.z]));
-  }
-  return sum / 6.0;
-}
-
 TEST_CASE("evaluated .csg files are closed and have the volumes of OpenSCAD's",
           "[io][openscad][evaluate]") {
   const std::vector<Known> files = listed("core");
@@ -67,7 +59,7 @@ TEST_CASE("evaluated .csg files are closed and have the volumes of OpenSCAD's",
     for (const SolidObject& object : scene.scene.solids) {
       const EvaluatedMesh evaluated = evaluate(object.solid.tree());
       CHECK_NOTHROW(ClosedMesh(evaluated.mesh));
-      sum += volume(evaluated.mesh);
+      sum += signed_volume(evaluated.mesh);
       triangles += evaluated.mesh.triangles.size();
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

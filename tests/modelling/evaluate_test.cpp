@@ -43,14 +43,6 @@ CsgTree tree_of(Operation operation, const std::vector<PlacedShape>& shapes) {
   return tree;
 }
 
-double volume(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const glm::uvec3& t : mesh.triangles) {
-    sum += glm::dot(mesh.positions[t.x], glm::cross(mesh.positions[t.y], mesh.positions[t.z]));
-  }
-  return sum / 6.0;
-}
-
 double area(const EvaluatedMesh& evaluated, std::uint32_t leaf, std::uint32_t face) {
   double sum = 0.0;
   const TriangleMesh& mesh = evaluated.mesh;
@@ -175,7 +167,7 @@ Agreement agreement(const CsgTree& tree, Random& random, int rays) {
 TEST_CASE("a flush slot is cut without a skin", "[modelling][evaluate]") {
   const EvaluatedMesh slot = evaluate(
       tree_of(Operation::difference, {box({0, 0, 0}, {4, 2, 4}), box({1, 1, -1}, {2, 2, 5})}));
-  CHECK(volume(slot.mesh) == Approx(4 * 2 * 4 - 4));
+  CHECK(signed_volume(slot.mesh) == Approx(4 * 2 * 4 - 4));
   CHECK(area(slot, 0, 3) == Approx(12));  // the top, beside the slot
   CHECK(area(slot, 0, 4) == Approx(7));   // an end
   CHECK(area(slot, 1, 2) == Approx(4));   // the slot's floor
@@ -189,7 +181,7 @@ TEST_CASE("boxes that touch along an edge or at a corner are closed", "[modellin
   const glm::dvec3 by = GENERATE(glm::dvec3(1, 1, 0), glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 0.5));
   const EvaluatedMesh two =
       evaluate(tree_of(Operation::set_union, {box({0, 0, 0}, {1, 1, 1}), box(by, by + 1.0)}));
-  CHECK(volume(two.mesh) == Approx(2.0));
+  CHECK(signed_volume(two.mesh) == Approx(2.0));
   const ClosedMesh closed(two.mesh);
   CHECK(two.origins.size() == 12);
 }
@@ -208,13 +200,13 @@ TEST_CASE("half-spaces cut, and must leave a bounded solid", "[modelling][evalua
   const PlacedShape below(HalfSpace{}, moved({0, 0.5, 0}));
   const EvaluatedMesh cap =
       evaluate(tree_of(Operation::difference, {ball, below}), {.chord_error = 1e-4});
-  CHECK(volume(cap.mesh) == Approx(3.14159265 * 0.25 * (3 - 0.5) / 3).epsilon(1e-3));
+  CHECK(signed_volume(cap.mesh) == Approx(3.14159265 * 0.25 * (3 - 0.5) / 3).epsilon(1e-3));
   CHECK(area(cap, 1, 0) == Approx(3.14159265 * 0.75).epsilon(1e-3));
   for (const double y : {-100.0, 100.0, -1e9, 1e9}) {
     const EvaluatedMesh all_or_nothing =
         evaluate(tree_of(Operation::intersection,
                          {box({0, 0, 0}, {1, 1, 1}), PlacedShape(HalfSpace{}, moved({0, y, 0}))}));
-    CHECK(volume(all_or_nothing.mesh) == Approx(y > 0 ? 1.0 : 0.0));
+    CHECK(signed_volume(all_or_nothing.mesh) == Approx(y > 0 ? 1.0 : 0.0));
   }
   CHECK_THROWS_WITH(evaluate(tree_of(Operation::set_union, {ball, below})),
                     "the solid is not bounded: a half-space leaves it without end");
@@ -281,7 +273,7 @@ TEST_CASE("what is flush but for rounding leaves no skin", "[modelling][evaluate
     crossings += one.crossings;
     const EvaluatedMesh a = evaluate(plain);
     const EvaluatedMesh b = evaluate(tree);
-    CHECK(volume(a.mesh) == Approx(volume(b.mesh)).margin(1e-6));
+    CHECK(signed_volume(a.mesh) == Approx(signed_volume(b.mesh)).margin(1e-6));
     CHECK(a.origins == b.origins);
     for (const EvaluatedMesh::Origin& origin : a.origins) {
       CHECK(area(a, origin.leaf, origin.face) ==
@@ -337,7 +329,7 @@ TEST_CASE("shells of one mesh that overlap are united", "[modelling][evaluate]")
   }
   const EvaluatedMesh united = evaluate(tree_of(
       Operation::set_union, {PlacedShape(std::make_shared<const ClosedMesh>(std::move(shells)))}));
-  CHECK(volume(united.mesh) == Approx(8 + 8 - 1));
+  CHECK(signed_volume(united.mesh) == Approx(8 + 8 - 1));
 }
 
 TEST_CASE("a chain of 1000 operations is evaluated", "[modelling][evaluate]") {
@@ -348,7 +340,7 @@ TEST_CASE("a chain of 1000 operations is evaluated", "[modelling][evaluate]") {
         {.shape = box({i + 0.25, 1, 0.5}, {i + 0.75, 2, 1.5}), .first_face = SurfaceId{6 * i + 6}});
     chain = tree.add(Operation::difference, std::array{chain, next});
   }
-  CHECK(volume(evaluate(tree).mesh) == Approx(1001 * 4 - 1000 * 0.5));
+  CHECK(signed_volume(evaluate(tree).mesh) == Approx(1001 * 4 - 1000 * 0.5));
 }
 
 }  // namespace
