@@ -5,6 +5,7 @@
 
 #include "app/command.hpp"
 #include "app/report.hpp"
+#include "io/closed_scene.hpp"
 
 namespace raycat::app {
 namespace {
@@ -25,7 +26,7 @@ nlohmann::ordered_json summary(const SceneFile& file) {
           {"lights", scene.lights.size()},
           {"cameras", cameras},
           {"bounds", to_json(bounds(scene))},
-          {"closed", file.closed},
+          {"closed", is_closed(scene)},
           {"extensions", file.extensions},
           {"warnings", file.warnings}};
 }

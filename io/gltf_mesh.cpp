@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "geometry/edge_uses.hpp"
 #include "geometry/mesh.hpp"
 #include "io/gltf_primitive.hpp"
 
@@ -21,26 +20,6 @@ std::vector<const TriangleMesh*> triangles(const GltfMesh& mesh) {
     triangles.push_back(&primitive.mesh->triangles);
   }
   return triangles;
-}
-
-// Does each edge run as often one way as the other?
-bool is_closed(TriangleMesh mesh) {
-  const auto same = weld(mesh.positions);
-  for (glm::uvec3& triangle : mesh.triangles) {
-    triangle = {same[triangle.x], same[triangle.y], same[triangle.z]};
-  }
-  const EdgeUses edges = edge_uses(mesh.triangles, mesh.positions.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    std::int64_t balance = 0;
-    for (const std::uint32_t half : edges[edge]) {
-      balance +=
-          half_edge_start(mesh.triangles, half) < half_edge_end(mesh.triangles, half) ? 1 : -1;
-    }
-    if (balance != 0) {
-      return false;
-    }
-  }
-  return !mesh.triangles.empty();
 }
 
 }  // namespace
@@ -125,7 +104,6 @@ GltfMesh GltfMeshes::read(std::size_t number) {
                                  .triangles = surface->triangles.triangles.size()});
     }
   }
-  mesh.closed = is_closed(joined(triangles(mesh)));
   return mesh;
 }
 

@@ -24,7 +24,6 @@ struct GltfPrimitive {
 
 struct GltfMesh {
   std::vector<GltfPrimitive> primitives;  ///< those that are made of triangles
-  bool closed = false;                    ///< do they enclose a volume together?
   std::optional<FeatureNames> names;      ///< by which all count their faces, if there are
 };
 

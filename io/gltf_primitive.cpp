@@ -53,8 +53,9 @@ class PrimitiveReader {
       return nullptr;
     }
     std::vector<std::uint32_t> corners = read_corners(positions->size(), corners_left);
-    const std::vector<std::uint32_t> vertices = renumber(corners);
+    const std::vector<std::uint32_t> vertices = renumber(corners, positions->size());
     auto mesh = std::make_shared<SurfaceMesh>();
+    mesh->triangles.positions.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices) {
       mesh->triangles.positions.emplace_back((*positions)[vertex]);
     }
@@ -141,14 +142,32 @@ class PrimitiveReader {
   }
 
   // Primitives often share one long list of vertices; each keeps those it uses, in their order.
-  static std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& corners) {
-    std::vector<std::uint32_t> used = corners;
-    std::ranges::sort(used);
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    if (used.empty() || used.back() + std::size_t{1} != used.size()) {
+  static std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& corners,
+                                             std::size_t vertices) {
+    std::vector<std::uint32_t> used;
+    if (vertices > 8 * corners.size()) {
+      used = corners;
+      std::ranges::sort(used);
+      used.erase(std::unique(used.begin(), used.end()), used.end());
       for (std::uint32_t& corner : corners) {
         corner = static_cast<std::uint32_t>(std::ranges::lower_bound(used, corner) - used.begin());
       }
+      return used;
+    }
+    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(vertices, unused);
+    for (const std::uint32_t corner : corners) {
+      number[corner] = 0;
+    }
+    used.reserve(vertices);
+    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
+      if (number[vertex] != unused) {
+        number[vertex] = static_cast<std::uint32_t>(used.size());
+        used.push_back(vertex);
+      }
+    }
+    for (std::uint32_t& corner : corners) {
+      corner = number[corner];
     }
     return used;
   }

@@ -141,7 +141,6 @@ class SceneReader {
                                   .first_face = first});
       out.triangles += primitive.triangles;
     }
-    out.closed = out.closed && mesh.closed;
   }
 
   // Adds the primitives of a mesh that says what they are, and returns the first face.
@@ -298,7 +297,6 @@ class SceneReader {
     place_objects(part->scene, placement(node, *part), assembly_);
     assembly_.out.triangles += part->triangles;
     assembly_.out.csg_nodes += part->csg_nodes;
-    assembly_.out.closed = assembly_.out.closed && part->closed;
     warn_of_mesh(node);
   }
 

@@ -2,28 +2,13 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
-#include "geometry/mesh.hpp"
 #include "geometry/mesh_faces.hpp"
 #include "io/input_file.hpp"
 #include "io/mesh_file.hpp"
 
 namespace raycat {
-
-namespace {
-
-bool encloses_volume(const TriangleMesh& mesh) {
-  try {
-    const ClosedMesh closed(mesh);
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
-}  // namespace
 
 SceneFile read_mesh_scene(const std::filesystem::path& file, const LoadOptions& options) {
   auto mesh = std::make_shared<SurfaceMesh>();
@@ -37,7 +22,6 @@ SceneFile read_mesh_scene(const std::filesystem::path& file, const LoadOptions& 
   out.up = extension == ".stl" || extension == ".off" ? glm::dvec3(0.0, 0.0, 1.0)
                                                       : glm::dvec3(0.0, 1.0, 0.0);
   out.triangles = triangles.triangles.size();
-  out.closed = encloses_volume(triangles);
   Material grey;
   grey.name = "grey";
   grey.ambient = grey.diffuse = glm::vec3(0.5f);

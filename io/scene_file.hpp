@@ -38,7 +38,6 @@ struct SceneFile {
   std::optional<glm::dvec3> viewed_from;
   std::uint64_t triangles = 0;          ///< of meshes, instances counted as drawn
   std::uint64_t csg_nodes = 0;          ///< leaves and operations, of trees with an operation
-  bool closed = true;                   ///< does every object enclose a volume?
   std::vector<std::string> extensions;  ///< that the file says it uses
   std::vector<std::string> warnings;    ///< one line each
 };

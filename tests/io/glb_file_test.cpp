@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "io/closed_scene.hpp"
 #include "io/object_mesh.hpp"
 #include "tests/io/scene_text.hpp"
 #include "tracer/scene_crossings.hpp"
@@ -106,7 +107,7 @@ TEST_CASE("an evaluated scene comes back with the same surfaces", "[io][convert]
   const Converted out = converted(scene.scene);
   CHECK(out.warnings.empty());
   CHECK(out.file.warnings.empty());
-  CHECK(out.file.closed);
+  CHECK(is_closed(out.file.scene));
   CHECK(out.file.scene.surfaces.objects() == scene.scene.surfaces.objects());
   CHECK(out.file.scene.surfaces.primitives() == scene.scene.surfaces.primitives());
   CHECK(out.file.scene.surfaces.faces() == scene.scene.surfaces.faces());

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "io/closed_scene.hpp"
 #include "tests/io/gltf_text.hpp"
 
 namespace raycat {
@@ -31,7 +32,7 @@ TEST_CASE("a mesh file is placed as an object", "[io][gltf]") {
   CHECK(file.scene.meshes[0].transform.point({0, 0, 0}) == glm::dvec3(0, 0, 5));
   CHECK(file.scene.surfaces.name(ObjectId{0}) == "part");
   CHECK(file.triangles == 4);
-  CHECK(file.closed);
+  CHECK(is_closed(file.scene));
 }
 
 TEST_CASE("a mesh file is an operand if it encloses a volume", "[io][gltf]") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "io/closed_scene.hpp"
 #include "tests/io/scene_text.hpp"
 
 namespace raycat {
@@ -50,7 +51,7 @@ TEST_CASE("known assets have the triangles and faces that they should", "[io][gl
   const auto box = load_scene(folder / "box_glb/Box.glb");
   CHECK(box.triangles == 12);
   CHECK(box.scene.surfaces.faces() == 6);
-  CHECK(box.closed);
+  CHECK(is_closed(box.scene));
   CHECK(load_scene(folder / "box_textured_ext/BoxTextured.gltf").scene.textures.size() == 1);
   CHECK(load_scene(folder / "milktruck/CesiumMilkTruck.glb").triangles == 3624);
   CHECK(load_scene(folder / "engine/2CylinderEngine.glb").triangles == 121496);

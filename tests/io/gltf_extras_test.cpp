@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "geometry/shape.hpp"
+#include "io/closed_scene.hpp"
 #include "tests/io/gltf_text.hpp"
 
 namespace raycat {
@@ -23,7 +24,7 @@ TEST_CASE("a lone shape is an object named for its node", "[io][gltf]") {
   CHECK(file.scene.surfaces.name(PrimitiveId{0}) == "ball");
   CHECK(file.scene.solids[0].solid.bounds() == Bounds{.min = {-1, 0, 1}, .max = {3, 4, 5}});
   CHECK(file.csg_nodes == 0);
-  CHECK(file.closed);
+  CHECK(is_closed(file.scene));
 }
 
 TEST_CASE("every shape has the faces of DESIGN 5", "[io][gltf]") {

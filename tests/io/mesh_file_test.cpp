@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "io/closed_scene.hpp"
 #include "tests/io/scene_text.hpp"
 
 namespace raycat {
@@ -86,7 +87,7 @@ TEST_CASE("a tetrahedron is the same from every kind of mesh file", "[io][mesh]"
   INFO(name);
   const SceneFile file = load_text(name, content);
   CHECK(file.triangles == 4);
-  CHECK(file.closed);
+  CHECK(is_closed(file.scene));
   CHECK(file.scene.surfaces.objects() == 1);
   CHECK(file.scene.surfaces.primitives() == 1);
   CHECK(file.scene.surfaces.faces() == 4);
@@ -101,7 +102,7 @@ TEST_CASE("binary PLY is read after text PLY and the other way round", "[io][mes
     CHECK(load_text("a.ply", ply).triangles == 4);
     const SceneFile open = load_text("b.ply", binary_ply(3));
     CHECK(open.triangles == 1);
-    CHECK_FALSE(open.closed);
+    CHECK_FALSE(is_closed(open.scene));
   }
 }
 

@@ -15,6 +15,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "io/closed_scene.hpp"
 #include "io/obj_file.hpp"
 #include "io/object_mesh.hpp"
 #include "io/ply_file.hpp"
@@ -73,7 +74,7 @@ double volume_by_open_mesh(const std::filesystem::path& path) {
 
 void check_reads_back(const std::filesystem::path& path) {
   const SceneFile back = load_scene(path);
-  CHECK(back.closed);
+  CHECK(is_closed(back.scene));
   CHECK(back.warnings.empty());
   CHECK(volume(back.scene.meshes.at(0).mesh->triangles) == Approx(model_volume).epsilon(1e-6));
   CHECK(volume_by_open_mesh(path) == Approx(model_volume).epsilon(1e-6));
