@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "app/command.hpp"
 #include "app/interrupt.hpp"
@@ -112,6 +113,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using raycat::app::fail;
+  // Large blocks go back to the system when they are freed: what reading a mesh took is not held
+  // while its BVH is built.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
   raycat::app::handle_interrupts();
   try {
     return raycat::app::run(argc, argv);

@@ -33,25 +33,30 @@ EdgeUses edge_uses(std::span<const glm::uvec3> triangles, std::size_t vertex_cou
   for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) {
     next[vertex + 1] += next[vertex];
   }
-  std::vector<std::uint64_t> uses(next[vertex_count]);  // higher vertex, then half-edge
+  EdgeUses result;
+  result.half_edges.resize(next[vertex_count]);
   for (std::uint32_t half = 0; half < count; ++half) {
     if (low_end(half) != high_end(half)) {
-      uses[next[low_end(half)]++] = std::uint64_t{high_end(half)} << 32U | half;
+      result.half_edges[next[low_end(half)]++] = half;
     }
   }
-
-  EdgeUses result;
-  result.half_edges.reserve(uses.size());
-  result.starts.reserve(uses.size() / 2 + 1);
+  result.starts.reserve(result.half_edges.size() / 2 + 1);
+  std::vector<std::uint64_t> uses;  // of one vertex: the higher vertex, then the half-edge
   std::uint32_t begin = 0;
   for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) {
     const std::uint32_t end = next[vertex];  // filling has moved it to the next vertex's begin
-    std::sort(uses.begin() + begin, uses.begin() + end);
+    uses.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
-      if (i == begin || uses[i] >> 32U != uses[i - 1] >> 32U) {
+      const std::uint32_t half = result.half_edges[i];
+      uses.push_back(std::uint64_t{high_end(half)} << 32U | half);
+    }
+    std::ranges::sort(uses);
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint64_t use = uses[i - begin];
+      if (i == begin || use >> 32U != uses[i - begin - 1] >> 32U) {
         result.starts.push_back(i);
       }
-      result.half_edges.push_back(static_cast<std::uint32_t>(uses[i]));
+      result.half_edges[i] = static_cast<std::uint32_t>(use);
     }
     begin = end;
   }

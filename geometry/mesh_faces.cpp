@@ -62,8 +62,9 @@ class DisjointSets {
 class FaceGrouping {
  public:
   FaceGrouping(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
-               std::span<const glm::vec3> corner_normals, const FaceRule& rule)
-      : corner_normals_(corner_normals),
+               std::span<const glm::vec3> normals, const FaceRule& rule)
+      : triangles_(triangles),
+        authored_normals_(normals),
         vertices_(triangles.size()),
         normals_(triangles.size()),
         same_normal_(std::cos(rule.same_normal)),
@@ -101,14 +102,14 @@ class FaceGrouping {
   /// Spreads faces over degenerate triangles, from edge to edge and then through vertices, for
   /// those without an edge.
   void adopt_degenerate_triangles() {
+    if (std::ranges::find(normals_, glm::dvec3(0.0)) == normals_.end()) {
+      return;
+    }
     std::vector<std::uint32_t> settled;
     for (std::uint32_t i = 0; i < normals_.size(); ++i) {
       if (!degenerate(i)) {
         settled.push_back(i);
       }
-    }
-    if (settled.size() == normals_.size()) {
-      return;
     }
     std::vector<std::uint32_t> edge_of(3 * vertices_.size(), none);
     for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
@@ -169,7 +170,7 @@ class FaceGrouping {
     if (glm::dot(chord, chord) < crease_chord_ * crease_chord_) {
       return true;
     }
-    if (corner_normals_.empty()) {
+    if (authored_normals_.empty()) {
       return false;
     }
     const std::uint32_t a_end = next_corner(a);
@@ -184,10 +185,14 @@ class FaceGrouping {
 
   // False if either is zero or not finite.
   bool same_normals(std::uint32_t corner, std::uint32_t other) const {
-    const glm::dvec3 a(corner_normals_[corner]);
-    const glm::dvec3 b(corner_normals_[other]);
+    const glm::dvec3 a(authored_normal(corner));
+    const glm::dvec3 b(authored_normal(other));
     const double lengths = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
     return lengths > 0.0 && std::isfinite(lengths) && glm::dot(a, b) >= same_normal_ * lengths;
+  }
+
+  const glm::vec3& authored_normal(std::uint32_t corner) const {
+    return authored_normals_[half_edge_start(triangles_, corner)];
   }
 
   void adopt_through_vertices(std::vector<bool>& is_settled) {
@@ -222,7 +227,8 @@ class FaceGrouping {
     return triangle_at;
   }
 
-  std::span<const glm::vec3> corner_normals_;
+  std::span<const glm::uvec3> triangles_;
+  std::span<const glm::vec3> authored_normals_;  // of `triangles_`' vertices, not of welded ones
   std::vector<glm::uvec3> vertices_;
   std::vector<glm::dvec3> normals_;
   double same_normal_;
@@ -260,11 +266,10 @@ std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions) {
 
 std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
                                        std::span<const glm::uvec3> triangles,
-                                       std::span<const glm::vec3> corner_normals,
-                                       const FaceRule& rule) {
-  assert(corner_normals.empty() || corner_normals.size() == 3 * triangles.size());
+                                       std::span<const glm::vec3> normals, const FaceRule& rule) {
+  assert(normals.empty() || normals.size() == positions.size());
   assert(rule.crease >= 0.0 && rule.crease <= std::numbers::pi);
-  FaceGrouping grouping(positions, triangles, corner_normals, rule);
+  FaceGrouping grouping(positions, triangles, normals, rule);
   grouping.join_smooth_edges();
   grouping.adopt_degenerate_triangles();
 

@@ -26,11 +26,11 @@ struct FaceRule {
 /// between their planes is under `rule.crease`. An edge of three or more triangles joins those
 /// pairs that run along it in opposite directions; two triangles that run along it the same way
 /// are compared with one of them turned over, and an edge of more than 64 joins none. Degenerate
-/// triangles belong to the face of a neighbour, and join nothing. `corner_normals` holds three per
-/// triangle, or nothing. Indices must be in range.
+/// triangles belong to the face of a neighbour, and join nothing. `normals` holds one a position,
+/// or nothing. Indices must be in range.
 std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
                                        std::span<const glm::uvec3> triangles,
-                                       std::span<const glm::vec3> corner_normals,
+                                       std::span<const glm::vec3> normals,
                                        const FaceRule& rule = {});
 
 /// A mesh of polygons as triangles, with face k the polygon k. A face of `faces` lists the

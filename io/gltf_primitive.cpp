@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ class PrimitiveReader {
     for (const std::uint32_t vertex : vertices) {
       mesh->triangles.positions.emplace_back((*positions)[vertex]);
     }
-    mesh->triangles.triangles = assemble(corners);
+    mesh->triangles.triangles = assemble(std::move(corners));
     drop_infinite(mesh->triangles);
     read_normals(vertices, positions->size(), *mesh);
     read_coordinates(material, vertices, positions->size(), *mesh);
@@ -173,7 +174,7 @@ class PrimitiveReader {
   }
 
   // The order of corners is that of glTF 2.0 (3.7.2.1).
-  std::vector<glm::uvec3> assemble(const std::vector<std::uint32_t>& corners) const {
+  std::vector<glm::uvec3> assemble(std::vector<std::uint32_t> corners) const {
     std::vector<glm::uvec3> triangles;
     if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
       triangles.reserve(corners.size() / 3);
@@ -310,16 +311,7 @@ class PrimitiveReader {
 
   static void group(const FaceRule& rule, SurfaceMesh& mesh) {
     TriangleMesh& triangles = mesh.triangles;
-    std::vector<glm::vec3> corner_normals;
-    if (!mesh.normals.empty()) {
-      corner_normals.reserve(3 * triangles.triangles.size());
-      for (const glm::uvec3& corners : triangles.triangles) {
-        for (int c = 0; c < 3; ++c) {
-          corner_normals.push_back(mesh.normals[corners[c]]);
-        }
-      }
-    }
-    triangles.faces = group_faces(triangles.positions, triangles.triangles, corner_normals, rule);
+    triangles.faces = group_faces(triangles.positions, triangles.triangles, mesh.normals, rule);
     triangles.face_count =
         triangles.faces.empty() ? 0 : std::ranges::max(triangles.faces) + std::uint32_t{1};
   }

@@ -1,5 +1,6 @@
 #include "tests/bench/bare_embree.hpp"
 
+#include <atomic>
 #include <limits>
 #include <stdexcept>
 
@@ -23,14 +24,28 @@ double plane_distance(const TriangleMesh& mesh, std::uint32_t triangle, const Ra
 
 struct BareEmbree::Handles {
   RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scene = rtcNewScene(device);
+  RTCScene scene = nullptr;
+  std::atomic<std::int64_t> bytes = 0;
+  std::atomic<std::int64_t> peak_bytes = 0;
 
-  Handles() = default;
+  Handles() {
+    rtcSetDeviceMemoryMonitorFunction(device, count, this);
+    scene = rtcNewScene(device);
+  }
   Handles(const Handles&) = delete;
   Handles& operator=(const Handles&) = delete;
   ~Handles() {
     rtcReleaseScene(scene);
     rtcReleaseDevice(device);
+  }
+
+  static bool count(void* self, ssize_t change, bool) {
+    auto& handles = *static_cast<Handles*>(self);
+    const std::int64_t now = handles.bytes += change;
+    std::int64_t peak = handles.peak_bytes;
+    while (now > peak && !handles.peak_bytes.compare_exchange_weak(peak, now)) {
+    }
+    return true;
   }
 };
 
@@ -58,6 +73,10 @@ BareEmbree::BareEmbree(const TriangleMesh& mesh)
 }
 
 BareEmbree::~BareEmbree() = default;
+
+std::size_t BareEmbree::peak_bytes() const noexcept {
+  return static_cast<std::size_t>(handles_->peak_bytes);
+}
 
 void BareEmbree::single_rays(const ImagePlane& plane, int left, int top, SeenImage& out) const {
   RTCIntersectContext context;

@@ -52,6 +52,9 @@ class BareEmbree {
   /// The same with coherent packets of 4 x 4 pixels, and t in float as Embree finds it.
   void packets(const ImagePlane& plane, int left, int top, SeenImage& out) const;
 
+  /// The most that Embree held at once while it built its index, with its vertices.
+  std::size_t peak_bytes() const noexcept;
+
  private:
   struct Handles;
 

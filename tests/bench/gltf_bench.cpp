@@ -2,7 +2,6 @@
 // finding faces and building Embree's index, against reading the file's bytes and Embree's index
 // alone.
 
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -10,6 +9,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <malloc.h>
 
 #include "io/input_file.hpp"
 #include "io/scene_file.hpp"
@@ -61,6 +61,27 @@ std::string glb(const TriangleMesh& mesh) {
   return file + std::string("BIN\0", 4) + binary;
 }
 
+// A line of /proc/self/status, in bytes.
+double status_bytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(key + ":")) {
+      return 1024.0 * std::stod(line.substr(key.size() + 1));
+    }
+  }
+  return 0.0;
+}
+
+// What `work` adds to the process at its peak.
+template <typename Work>
+double peak_bytes(const Work& work) {
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";  // sets VmHWM back
+  const double before = status_bytes("VmRSS");
+  work();
+  return status_bytes("VmHWM") - before;
+}
+
 void load(benchmark::State& state) {
   const TriangleMesh mesh = bumpy_sphere(1000, 500);
   const TemporaryFolder folder;
@@ -76,7 +97,12 @@ void load(benchmark::State& state) {
     benchmark::DoNotOptimize(read_bytes(file, std::uintmax_t{1} << 32));
     benchmark::DoNotOptimize(BareEmbree(mesh));
   };
+  const std::size_t data =
+      mesh.positions.size() * 2 * sizeof(glm::vec3) + mesh.triangles.size() * sizeof(glm::uvec3);
   for ([[maybe_unused]] auto _ : state) {
+    state.counters["memory"] = peak_bytes(raycat);
+    state.counters["data_and_bvh"] =
+        2.5 * static_cast<double>(data) + static_cast<double>(BareEmbree(mesh).peak_bytes());
     state.counters["load"] =
         timed([&] { benchmark::DoNotOptimize(load_scene(file)); }, process_cpu_seconds);
     state.counters["raycat"] = timed(raycat, process_cpu_seconds);
@@ -92,6 +118,7 @@ BENCHMARK(load)->Iterations(1)->Unit(benchmark::kMillisecond);
 }  // namespace raycat::bench
 
 int main(int argc, char** argv) {
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // as in app/main.cpp
   return raycat::bench::run(argc, argv,
                             {{"load", "raycat", "embree", 1.6},
                              {"load", "load", "embree", {}},
