@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <string>
@@ -23,6 +24,26 @@ CLI::Validator number_in(double low, double high) {
       },
       fmt::format("{} to {}", low, high));
 }
+
+namespace {
+
+void add_limits(CLI::App& command, LoadLimits& limits) {
+  command
+      .add_option("--max-memory", limits.memory,
+                  "What a glTF file may hold, as 512M or 2G; half of the machine's by default")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
+  const auto add_count = [&](const char* name, std::uint64_t& limit, const char* of) {
+    command.add_option(name, limit, fmt::format("{} a glTF file may have; {}", of, limit))
+        ->type_name("N");
+  };
+  add_count("--max-pixels", limits.pixels, "Pixels that each image of");
+  add_count("--max-nodes", limits.nodes, "Nodes");
+  add_count("--max-instances", limits.instances, "Instances");
+  add_count("--max-triangles", limits.triangles, "Triangles, as drawn, that");
+}
+
+}  // namespace
 
 void add_common(CLI::App& command, CommonOptions& options) {
   options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -55,6 +76,7 @@ void add_common(CLI::App& command, CommonOptions& options) {
       ->type_name("KIND");
   command.add_flag("--keep-going", options.load.keep_going,
                    "Warn of .csg nodes that cannot be made, and read the rest");
+  add_limits(command, options.load.limits);
 }
 
 SceneFile load(const CommonOptions& options) { return load_scene(options.scene, options.load); }

@@ -11,9 +11,6 @@
 namespace raycat {
 namespace {
 
-// An accessor without a buffer view is zeros that cost nothing in the file.
-constexpr std::size_t max_unstored_bytes = std::size_t{1} << 28;
-
 std::size_t component_size(int type) noexcept {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -196,9 +193,8 @@ std::uint32_t GltfAccessor::index(std::size_t i) const noexcept {
   return load_index(data_ + i * stride_, component_type_);
 }
 
-void check_accessors(const GltfDocument& document) {
+void check_accessors(const GltfDocument& document, LoadBudget& budget) {
   check_views(document);
-  std::size_t unstored = 0;
   for (std::size_t i = 0; i < document.model.accessors.size(); ++i) {
     const tinygltf::Accessor& accessor = document.model.accessors[i];
     const auto fail = [&](const std::string& what) {
@@ -223,12 +219,10 @@ void check_accessors(const GltfDocument& document) {
     };
     if (accessor.bufferView >= 0) {
       require(accessor.bufferView, accessor.byteOffset, accessor.count, size, true);
-    } else {
-      if (accessor.count > (max_unstored_bytes - unstored) / size) {
-        fail(fmt::format("accessors without a buffer view hold at most {} bytes in all",
-                         max_unstored_bytes));
-      }
-      unstored += accessor.count * size;
+    }
+    // Without a view it is zeros, which cost nothing in the file; where it is sparse, a copy.
+    if (accessor.bufferView < 0 || accessor.sparse.isSparse) {
+      budget.take_memory(document.file, accessor_place(i), accessor.count, size);
     }
     if (!accessor.sparse.isSparse) {
       continue;

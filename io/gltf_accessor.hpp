@@ -43,7 +43,8 @@ class GltfAccessor {
 };
 
 /// Throws `LoadError` unless all of the document's buffer views lie within their buffers and its
-/// accessors within their views. Everything that a `GltfAccessor` relies on.
-void check_accessors(const GltfDocument& document);
+/// accessors within their views. Everything that a `GltfAccessor` relies on. Takes from the budget
+/// what accessors hold beside the buffers.
+void check_accessors(const GltfDocument& document, LoadBudget& budget);
 
 }  // namespace raycat

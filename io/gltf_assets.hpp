@@ -16,7 +16,7 @@ namespace raycat {
 /// The files that nodes place by `asset` extras, each read once however often it is placed.
 class GltfAssets {
  public:
-  explicit GltfAssets(const LoadOptions& options) : options_(options) {}
+  explicit GltfAssets(const LoadOptions& options) : options_(options), budget_(options.limits) {}
 
   /// What `asset` names, for a node of `document`. Throws `LoadError` if it cannot be read, is
   /// not below the document's folder or places itself.
@@ -25,10 +25,14 @@ class GltfAssets {
 
   const LoadOptions& options() const noexcept { return options_; }
 
+  /// What is left for all files together.
+  LoadBudget& budget() noexcept { return budget_; }
+
  private:
   using Key = std::pair<std::filesystem::path, std::string>;
 
   LoadOptions options_;
+  LoadBudget budget_;
   std::map<Key, std::shared_ptr<const SceneFile>> loaded_;
   std::vector<Key> loading_;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -24,8 +25,14 @@ std::uint32_t u32(std::span<const std::uint8_t> bytes, std::size_t at) {
          std::uint32_t{bytes[at + 3]} << 24;
 }
 
-// nlohmann parses without recursion, but copying and printing recurse.
-std::optional<std::size_t> too_deep_at(std::string_view text) {
+/// What can be told of a JSON text before it is parsed.
+struct Outline {
+  std::optional<std::size_t> too_deep_at;  // nlohmann parses without recursion, but copies with it
+  std::uint64_t values = 0;                // at most so many
+};
+
+Outline outline(std::string_view text) {
+  Outline found{.values = 1};
   std::size_t depth = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -36,28 +43,35 @@ std::optional<std::size_t> too_deep_at(std::string_view text) {
     } else if (c == '"') {
       quoted = true;
     } else if (c == '[' || c == '{') {
+      ++found.values;
       if (++depth > max_depth) {
-        return i;
+        found.too_deep_at = i;
+        return found;
       }
     } else if ((c == ']' || c == '}') && depth > 0) {
       --depth;
+    } else if (c == ',') {
+      ++found.values;
     }
   }
-  return std::nullopt;
+  return found;
 }
 
 nlohmann::json parse_json(const std::filesystem::path& file, std::span<const std::uint8_t> bytes,
-                          std::size_t offset) {
+                          std::size_t offset, LoadBudget& budget) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (text.size() > max_json_bytes) {
     throw LoadError(
         file, byte_place(offset),
         fmt::format("JSON holds at most {} bytes, but this has {}", max_json_bytes, text.size()));
   }
-  if (const auto at = too_deep_at(text)) {
-    throw LoadError(file, byte_place(offset + *at),
+  const Outline found = outline(text);
+  if (found.too_deep_at) {
+    throw LoadError(file, byte_place(offset + *found.too_deep_at),
                     fmt::format("JSON is nested more than {} deep", max_depth));
   }
+  constexpr std::uint64_t bytes_a_value = 128;  // here, and in tinygltf's model
+  budget.take_memory(file, "JSON", found.values, bytes_a_value);
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
@@ -68,7 +82,7 @@ nlohmann::json parse_json(const std::filesystem::path& file, std::span<const std
   }
 }
 
-void open_glb(const std::filesystem::path& file, GltfContainer& container) {
+void open_glb(const std::filesystem::path& file, GltfContainer& container, LoadBudget& budget) {
   constexpr std::size_t header_size = 12;
   constexpr std::size_t chunk_header_size = 8;
   constexpr std::uint32_t json_chunk = 0x4e4f534a;
@@ -109,7 +123,7 @@ void open_glb(const std::filesystem::path& file, GltfContainer& container) {
       if (type != json_chunk) {
         throw LoadError(file, byte_place(at + 4), "the first chunk of the GLB is not JSON");
       }
-      container.json = parse_json(file, content, at + chunk_header_size);
+      container.json = parse_json(file, content, at + chunk_header_size, budget);
     } else if (chunk == 1 && type == binary_chunk) {
       container.binary = content;
       container.has_binary = true;
@@ -125,20 +139,23 @@ void open_glb(const std::filesystem::path& file, GltfContainer& container) {
 
 }  // namespace
 
-GltfContainer open_container(const std::filesystem::path& file) {
+GltfContainer open_container(const std::filesystem::path& file, LoadBudget& budget) {
   GltfContainer container;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  budget.take_memory(file, "", error ? 0 : size);  // what has no size is refused below
   try {
     container.bytes = std::make_shared<const Bytes>(read_bytes(file, max_gltf_bytes));
-  } catch (const std::runtime_error& error) {
-    throw LoadError(file, "", error.what());
+  } catch (const std::runtime_error& failure) {
+    throw LoadError(file, "", failure.what());
   }
   constexpr std::string_view magic = "glTF";
   const bool binary = container.bytes->size() >= magic.size() &&
                       std::equal(magic.begin(), magic.end(), container.bytes->begin());
   if (binary) {
-    open_glb(file, container);
+    open_glb(file, container, budget);
   } else {
-    container.json = parse_json(file, *container.bytes, 0);
+    container.json = parse_json(file, *container.bytes, 0, budget);
     container.bytes.reset();
   }
   return container;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/input_file.hpp"
+#include "io/load_budget.hpp"
 
 namespace raycat {
 
@@ -23,6 +24,6 @@ struct GltfContainer {
 };
 
 /// Throws `LoadError`.
-GltfContainer open_container(const std::filesystem::path& file);
+GltfContainer open_container(const std::filesystem::path& file, LoadBudget& budget);
 
 }  // namespace raycat

@@ -12,6 +12,8 @@
 #include "io/excerpt.hpp"
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_container.hpp"
+#include "io/gltf_draco.hpp"
+#include "io/gltf_meshopt.hpp"
 #include "io/gltf_schema.hpp"
 #include "io/gltf_uri.hpp"
 #include "io/scene_file.hpp"
@@ -22,11 +24,22 @@ namespace {
 using nlohmann::json;
 
 // Without what these say, triangles would be read wrongly or not at all.
-constexpr auto read_extensions = std::to_array<std::string_view>(
-    {"EXT_mesh_features", "KHR_lights_punctual", "KHR_materials_emissive_strength",
-     "KHR_materials_ior", "KHR_materials_specular", "KHR_materials_transmission",
-     "KHR_materials_unlit", "KHR_materials_volume", "KHR_mesh_quantization",
-     "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"});
+constexpr auto read_extensions = std::to_array<std::string_view>({
+    "EXT_mesh_features",
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_meshopt_compression",
+    "KHR_texture_transform",
+});
 
 bool contains(const auto& range, std::string_view name) {
   return std::ranges::find(range, name) != std::end(range);
@@ -58,7 +71,7 @@ void check_extensions(GltfDocument& document) {
   }
 }
 
-void load_buffers(GltfDocument& document, const GltfContainer& container) {
+void load_buffers(GltfDocument& document, const GltfContainer& container, LoadBudget& budget) {
   std::map<std::string, std::shared_ptr<const Bytes>> files;
   if (container.bytes) {
     document.storage.push_back(container.bytes);
@@ -75,9 +88,14 @@ void load_buffers(GltfDocument& document, const GltfContainer& container) {
       auto& file = files[is_data_uri(text) ? fmt::format("data:{}", i) : text];
       try {
         if (!file) {
-          file = std::make_shared<const Bytes>(read_uri(document.file.parent_path(), text));
+          file = std::make_shared<const Bytes>(
+              read_uri(document.file.parent_path(), text, [&](std::uint64_t size) {
+                budget.take_memory(document.file, fmt::format("buffers[{}]", i), size);
+              }));
           document.storage.push_back(file);
         }
+      } catch (const LoadError&) {
+        throw;
       } catch (const std::runtime_error& error) {
         fail(is_data_uri(text) ? error.what()
                                : fmt::format("'{}': {}", excerpt(text), error.what()));
@@ -192,20 +210,57 @@ std::span<const std::uint8_t> GltfDocument::view_bytes(std::size_t view) const {
   return buffer.empty() ? buffer : buffer.subspan(of.byteOffset, of.byteLength);
 }
 
-Bytes GltfDocument::image_bytes(std::size_t image) const {
+std::span<const std::uint8_t> GltfDocument::slice(std::size_t buffer, std::size_t offset,
+                                                  std::size_t length,
+                                                  const std::string& place) const {
+  if (buffer >= buffers.size()) {
+    throw LoadError(
+        file, place,
+        fmt::format("there is no buffers[{}]; the file has {}", buffer, buffers.size()));
+  }
+  const auto bytes = buffers[buffer];
+  if (bytes.empty()) {
+    throw LoadError(file, place, fmt::format("is of buffers[{}], which has no data", buffer));
+  }
+  if (length > bytes.size() || offset > bytes.size() - length) {
+    throw LoadError(file, place,
+                    fmt::format("{} bytes from {} overrun the {} of buffers[{}]", length, offset,
+                                bytes.size(), buffer));
+  }
+  return bytes.subspan(offset, length);
+}
+
+std::span<const std::uint8_t> GltfDocument::json_view_bytes(std::size_t view) const {
+  const auto& of = json["bufferViews"][view];
+  return slice(of["buffer"], of.value("byteOffset", std::size_t{0}), of["byteLength"],
+               fmt::format("bufferViews[{}]", view));
+}
+
+std::size_t GltfDocument::add_buffer(Bytes bytes) {
+  storage.push_back(std::make_shared<const Bytes>(std::move(bytes)));
+  buffers.emplace_back(*storage.back());
+  json["buffers"].push_back({{"byteLength", buffers.back().size()}});
+  return buffers.size() - 1;
+}
+
+Bytes GltfDocument::image_bytes(std::size_t image, LoadBudget& budget) const {
+  const auto reserve = [&](std::uint64_t size) {
+    budget.take_memory(file, fmt::format("images[{}]", image), size);
+  };
   const auto& of = json["images"][image];
   if (const auto uri = of.find("uri"); uri != of.end()) {
-    return read_uri(file.parent_path(), uri->get_ref<const std::string&>());
+    return read_uri(file.parent_path(), uri->get_ref<const std::string&>(), reserve);
   }
   if (const auto view = of.find("bufferView"); view != of.end()) {
     const auto bytes = view_bytes(view->get<std::size_t>());
+    reserve(bytes.size());
     return {bytes.begin(), bytes.end()};
   }
   throw std::runtime_error("has neither a URI nor a buffer view");
 }
 
-GltfDocument open_gltf(const std::filesystem::path& file) {
-  GltfContainer container = open_container(file);
+GltfDocument open_gltf(const std::filesystem::path& file, LoadBudget& budget) {
+  GltfContainer container = open_container(file, budget);
   GltfDocument document;
   document.file = file;
   document.json = std::move(container.json);
@@ -213,9 +268,12 @@ GltfDocument open_gltf(const std::filesystem::path& file) {
   check_schema(file, document.json);
   check_version(document);
   check_extensions(document);
-  load_buffers(document, container);
+  budget.check_nodes(file, document.json.value("nodes", json::array()).size());
+  load_buffers(document, container, budget);
+  decode_meshopt(document, budget);
+  decode_draco(document, budget);
   document.model = parse_model(document);
-  check_accessors(document);
+  check_accessors(document, budget);
   check_forest(document);
   return document;
 }

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <tiny_gltf.h>
 
 #include "io/input_file.hpp"
 #include "io/json_fields.hpp"
+#include "io/load_budget.hpp"
+#include "io/tinygltf.hpp"
 
 namespace raycat {
 
@@ -42,13 +43,24 @@ struct GltfDocument {
 
   /// The bytes of an image: embedded, in a buffer or in a file beside this one. Throws
   /// `std::runtime_error` with the reason if there are none.
-  Bytes image_bytes(std::size_t image) const;
+  Bytes image_bytes(std::size_t image, LoadBudget& budget) const;
+
+  /// The bytes of a buffer view, before `model` is there. Throws `LoadError` if it has none.
+  std::span<const std::uint8_t> json_view_bytes(std::size_t view) const;
 
   /// The bytes of a buffer view; empty if its buffer has no data.
   std::span<const std::uint8_t> view_bytes(std::size_t view) const;
+
+  /// Part of a buffer. Throws `LoadError` naming the place if the buffer is not there, has no data
+  /// or ends before.
+  std::span<const std::uint8_t> slice(std::size_t buffer, std::size_t offset, std::size_t length,
+                                      const std::string& place) const;
+
+  /// Appends a buffer to `json` and `buffers`, and returns its number.
+  std::size_t add_buffer(Bytes bytes);
 };
 
 /// Throws `LoadError`.
-GltfDocument open_gltf(const std::filesystem::path& file);
+GltfDocument open_gltf(const std::filesystem::path& file, LoadBudget& budget);
 
 }  // namespace raycat

@@ -223,13 +223,14 @@ std::vector<bool> with_vertex_colours(const tinygltf::Model& model) {
 
 }  // namespace
 
-std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures) {
+std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures,
+                                         LoadBudget& budget) {
   const std::vector<bool> coloured = with_vertex_colours(document.model);
   std::vector<GltfMaterial> materials;
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
     materials.push_back(read_material(document, i));
   }
-  textures = read_textures(document, materials);
+  textures = read_textures(document, materials, budget);
   for (std::size_t i = 0; i < materials.size(); ++i) {
     Material& material = materials[i].material;
     // The factor alone would weigh too little where the texture or the vertices have holes.

@@ -23,13 +23,15 @@ struct GltfMaterial {
 /// The materials of a document, their images decoded into `textures`. Throws `LoadError` for
 /// extensions and extras of the wrong type, and unknown keys in `whitted`. glTF's factors are
 /// brought into their ranges, with a warning.
-std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures);
+std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures,
+                                         LoadBudget& budget);
 
 /// What glTF says of primitives without a material, and of shapes: rough and white.
 Material default_material();
 
 /// Decodes the base colour textures that `materials` use and sets their `base_texture`. An image
 /// that is missing or broken is a warning, and its materials stay untextured.
-std::vector<Texture> read_textures(GltfDocument& document, std::vector<GltfMaterial>& materials);
+std::vector<Texture> read_textures(GltfDocument& document, std::vector<GltfMaterial>& materials,
+                                   LoadBudget& budget);
 
 }  // namespace raycat

@@ -11,9 +11,6 @@
 namespace raycat {
 namespace {
 
-// A file can name the same accessors any number of times, at no cost to itself.
-constexpr std::uint64_t max_corners = std::uint64_t{1} << 28;
-
 std::vector<const TriangleMesh*> triangles(const GltfMesh& mesh) {
   std::vector<const TriangleMesh*> triangles;
   for (const GltfPrimitive& primitive : mesh.primitives) {
@@ -41,11 +38,11 @@ TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes) {
 }
 
 GltfMeshes::GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
-                       const FaceRule& faces)
+                       const FaceRule& faces, LoadBudget& budget)
     : document_(document),
       materials_(materials),
       faces_(faces),
-      corners_left_(max_corners),
+      budget_(budget),
       meshes_(document.model.meshes.size()),
       solids_(document.model.meshes.size()) {}
 
@@ -97,7 +94,7 @@ GltfMesh GltfMeshes::read(std::size_t number) {
     }
     const auto surface =
         read_primitive(document_, number, i, material ? &materials_[*material] : nullptr, faces_,
-                       mesh.names ? &*mesh.names : nullptr, corners_left_);
+                       mesh.names ? &*mesh.names : nullptr, budget_);
     if (surface && !surface->triangles.triangles.empty()) {
       mesh.primitives.push_back({.mesh = surface,
                                  .material = material,

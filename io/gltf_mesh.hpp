@@ -30,11 +30,11 @@ struct GltfMesh {
 /// The meshes of a document, each read when it is first asked for and shared by its instances.
 class GltfMeshes {
  public:
-  /// Keeps references to all three. `materials` say which texture coordinates to read.
+  /// Keeps references to all but the rule. `materials` say which texture coordinates to read.
   GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
-             const FaceRule& faces);
+             const FaceRule& faces, LoadBudget& budget);
 
-  /// Throws `LoadError` for an index out of range, or more than 2^28 corners in all.
+  /// Throws `LoadError`.
   const GltfMesh& mesh(std::size_t number);
 
   /// All primitives as one solid with the faces of all. Throws `std::invalid_argument` as
@@ -48,7 +48,7 @@ class GltfMeshes {
   GltfDocument& document_;
   const std::vector<GltfMaterial>& materials_;
   FaceRule faces_;
-  std::uint64_t corners_left_;
+  LoadBudget& budget_;
   std::vector<std::optional<GltfMesh>> meshes_;
   std::vector<MeshShape> solids_;
 };

@@ -40,7 +40,7 @@ class PrimitiveReader {
         path_(fmt::format("primitives[{}]", primitive)) {}
 
   std::shared_ptr<const SurfaceMesh> read(const GltfMaterial* material, const FaceRule& faces,
-                                          const FeatureNames* names, std::uint64_t& corners_left) {
+                                          const FeatureNames* names, LoadBudget& budget) {
     const auto positions = attribute("POSITION", 3, 3);
     if (from_.mode < TINYGLTF_MODE_TRIANGLES || from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
       if (from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -53,7 +53,7 @@ class PrimitiveReader {
       warn("has no positions and is not drawn");
       return nullptr;
     }
-    std::vector<std::uint32_t> corners = read_corners(positions->size(), corners_left);
+    std::vector<std::uint32_t> corners = read_corners(positions->size(), budget);
     const std::vector<std::uint32_t> vertices = renumber(corners, positions->size());
     auto mesh = std::make_shared<SurfaceMesh>();
     mesh->triangles.positions.reserve(vertices.size());
@@ -110,7 +110,7 @@ class PrimitiveReader {
     return accessor;
   }
 
-  std::vector<std::uint32_t> read_corners(std::size_t vertices, std::uint64_t& corners_left) const {
+  std::vector<std::uint32_t> read_corners(std::size_t vertices, LoadBudget& budget) const {
     if (vertices > max_vertices) {
       fail(fmt::format("at most {} vertices are read, but there are {}", max_vertices, vertices));
     }
@@ -127,10 +127,9 @@ class PrimitiveReader {
       indices.emplace(document_, number);
     }
     const std::size_t count = indices ? indices->size() : vertices;
-    if (count > corners_left) {
-      fail("the triangles of the file have too many corners in all");
-    }
-    corners_left -= count;
+    // A file can name the same accessors any number of times, at no cost to itself.
+    constexpr std::uint64_t bytes_a_corner = 64;
+    budget.take_memory(document_.file, place_ + ": " + path_, count, bytes_a_corner);
     std::vector<std::uint32_t> corners(count);
     for (std::size_t i = 0; i < count; ++i) {
       corners[i] = indices ? indices->index(i) : static_cast<std::uint32_t>(i);
@@ -330,8 +329,8 @@ std::shared_ptr<const SurfaceMesh> read_primitive(GltfDocument& document, std::s
                                                   std::size_t primitive,
                                                   const GltfMaterial* material,
                                                   const FaceRule& faces, const FeatureNames* names,
-                                                  std::uint64_t& corners_left) {
-  return PrimitiveReader(document, mesh, primitive).read(material, faces, names, corners_left);
+                                                  LoadBudget& budget) {
+  return PrimitiveReader(document, mesh, primitive).read(material, faces, names, budget);
 }
 
 }  // namespace raycat

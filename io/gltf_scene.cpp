@@ -21,17 +21,14 @@
 namespace raycat {
 namespace {
 
-// An asset is a line in the file that places it, but may itself be large.
-constexpr std::size_t max_placed = std::size_t{1} << 20;
-
 class SceneReader {
  public:
   SceneReader(const std::filesystem::path& file, GltfAssets& assets)
-      : document_(open_gltf(file)),
+      : document_(open_gltf(file, assets.budget())),
         assets_(assets),
         assembly_(file),
-        materials_(read_materials(document_, assembly_.out.scene.textures)),
-        meshes_(document_, materials_, assets.options().faces) {
+        materials_(read_materials(document_, assembly_.out.scene.textures, assets.budget())),
+        meshes_(document_, materials_, assets.options().faces, assets.budget()) {
     for (const GltfMaterial& material : materials_) {
       assembly_.out.scene.materials.push_back(material.material);
     }
@@ -123,6 +120,7 @@ class SceneReader {
     if (mesh.primitives.empty()) {
       return;
     }
+    take_instance(node, mesh);
     SceneFile& out = assembly_.out;
     const std::string name = document_.node_name(node);
     assembly_.add_object(name);
@@ -140,6 +138,14 @@ class SceneReader {
                                   .material = material(primitive.material),
                                   .first_face = first});
       out.triangles += primitive.triangles;
+    }
+  }
+
+  void take_instance(std::size_t node, const GltfMesh& mesh) {
+    const std::string place = document_.node_place(node);
+    assets_.budget().take_instances(document_.file, place, mesh.primitives.size());
+    for (const GltfPrimitive& primitive : mesh.primitives) {
+      assets_.budget().take_triangles(document_.file, place, primitive.triangles);
     }
   }
 
@@ -275,11 +281,11 @@ class SceneReader {
   }
 
   Placement placement(std::size_t node, const SceneFile& part) {
-    placed_ += std::max<std::size_t>(part.scene.surfaces.primitives(), 1);
-    if (placed_ > max_placed) {
-      throw LoadError(document_.file, document_.node_place(node),
-                      fmt::format("assets place at most {} primitives in all", max_placed));
-    }
+    // An asset is a line in the file that places it, but may itself be large.
+    const std::string place = document_.node_place(node);
+    assets_.budget().take_instances(document_.file, place,
+                                    std::max<std::size_t>(part.scene.surfaces.primitives(), 1));
+    assets_.budget().take_triangles(document_.file, place, part.triangles);
     auto [first, added] = asset_materials_.try_emplace(&part);
     if (added) {
       first->second = add_materials(part.scene, assembly_.out.scene);
@@ -328,7 +334,6 @@ class SceneReader {
   CsgTree::NodeId last_added_{};
   std::vector<Cut> cuts_;  // of the tree being read
   std::map<const SceneFile*, std::uint32_t> asset_materials_;
-  std::size_t placed_ = 0;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/excerpt.hpp"
+#include "io/json_fields.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -239,10 +240,6 @@ class Checker {
       case Kind::numbers:
         return require(is_numbers(value), value, fmt::format("{} numbers", rule_->length));
     }
-  }
-
-  static bool is_whole(const json& value) {
-    return value.is_number_unsigned() && value.get<std::uint64_t>() < std::uint64_t{1} << 53;
   }
 
   bool is_numbers(const json& value) const {

@@ -8,12 +8,10 @@
 
 #include "io/gltf_material.hpp"
 #include "io/image_decode.hpp"
+#include "io/scene_file.hpp"
 
 namespace raycat {
 namespace {
-
-// A PNG of a few kilobytes can hold this many, so all images of a file share them.
-constexpr std::uint64_t max_pixels = std::uint64_t{1} << 26;
 
 Wrap wrap(int mode) {
   switch (mode) {
@@ -28,10 +26,10 @@ Wrap wrap(int mode) {
 
 }  // namespace
 
-std::vector<Texture> read_textures(GltfDocument& document, std::vector<GltfMaterial>& materials) {
+std::vector<Texture> read_textures(GltfDocument& document, std::vector<GltfMaterial>& materials,
+                                   LoadBudget& budget) {
   std::vector<Texture> textures;
   std::map<std::pair<int, int>, std::optional<TextureId>> known;  // by image and sampler
-  std::uint64_t pixels_left = max_pixels;
 
   const auto read = [&](int source, int sampler) -> std::optional<TextureId> {
     if (source < 0) {
@@ -40,14 +38,18 @@ std::vector<Texture> read_textures(GltfDocument& document, std::vector<GltfMater
     }
     const auto image = static_cast<std::size_t>(source);
     try {
-      DecodedImage decoded = decode_image(document.image_bytes(image), pixels_left);
-      pixels_left -= std::uint64_t{decoded.width} * decoded.height;
+      const Bytes bytes = document.image_bytes(image, budget);
+      DecodedImage decoded = decode_image(bytes, budget.limits().pixels, [&](std::uint64_t size) {
+        budget.take_memory(document.file, fmt::format("images[{}]", image), size);
+      });
       const tinygltf::Sampler of = sampler < 0
                                        ? tinygltf::Sampler{}
                                        : document.model.samplers[static_cast<std::size_t>(sampler)];
       textures.emplace_back(decoded.width, decoded.height, std::move(decoded.rgba), wrap(of.wrapS),
                             wrap(of.wrapT), of.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST);
       return static_cast<TextureId>(textures.size() - 1);
+    } catch (const LoadError&) {
+      throw;
     } catch (const std::runtime_error& error) {
       document.warnings.push_back(
           fmt::format("images[{}]: {}; its materials are untextured", image, error.what()));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -112,9 +113,17 @@ Bytes decode_data_uri(std::string_view uri) {
   return {decoded.begin(), decoded.end()};
 }
 
-Bytes read_uri(const std::filesystem::path& folder, std::string_view uri) {
-  return is_data_uri(uri) ? decode_data_uri(uri)
-                          : read_bytes(resolve_uri(folder, uri), max_gltf_bytes);
+Bytes read_uri(const std::filesystem::path& folder, std::string_view uri,
+               const std::function<void(std::uint64_t bytes)>& reserve) {
+  if (is_data_uri(uri)) {
+    reserve(uri.size());
+    return decode_data_uri(uri);
+  }
+  const std::filesystem::path file = resolve_uri(folder, uri);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  reserve(error ? 0 : size);  // what has no size is refused below
+  return read_bytes(file, max_gltf_bytes);
 }
 
 }  // namespace raycat

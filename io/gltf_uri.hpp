@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 #include "io/input_file.hpp"
@@ -24,6 +25,8 @@ bool is_data_uri(std::string_view uri) noexcept;
 Bytes decode_data_uri(std::string_view uri);
 
 /// What `uri` stands for: the content of a `data:` URI, or of the file that a relative one names.
-Bytes read_uri(const std::filesystem::path& folder, std::string_view uri);
+/// Tells `reserve` how many bytes that will be, before it makes room for them.
+Bytes read_uri(const std::filesystem::path& folder, std::string_view uri,
+               const std::function<void(std::uint64_t bytes)>& reserve);
 
 }  // namespace raycat

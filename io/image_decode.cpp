@@ -82,7 +82,8 @@ std::vector<std::uint8_t> expanded(const std::vector<std::uint8_t>& pixels, std:
 
 }  // namespace
 
-DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels) {
+DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels,
+                          const std::function<void(std::uint64_t bytes)>& reserve) {
   const char* name = file_name(bytes);
   if (std::string_view(name) == "image.png") {
     require_whole_png(bytes);
@@ -107,6 +108,7 @@ DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max
     throw std::runtime_error(fmt::format("{} x {} pixels are more than the {} allowed", spec.width,
                                          spec.height, max_pixels));
   }
+  reserve(4 * count);
   const auto channels = static_cast<std::size_t>(std::min(spec.nchannels, 4));
   std::vector<std::uint8_t> pixels(count * channels);
   if (!input->read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::UINT8,

@@ -57,6 +57,10 @@ std::optional<glm::dvec3> JsonFields::vector(std::string_view key) {
   return value ? std::optional(vector<3>(*value, key)) : std::nullopt;
 }
 
+bool is_whole(const json& value) {
+  return value.is_number_unsigned() && value.get<std::uint64_t>() < std::uint64_t{1} << 53;
+}
+
 std::optional<glm::dvec4> JsonFields::vector4(std::string_view key) {
   const json* value = find(key);
   return value ? std::optional(vector<4>(*value, key)) : std::nullopt;
@@ -98,6 +102,35 @@ std::optional<std::size_t> JsonFields::index(std::string_view key, std::string_v
                      value->get<std::uint64_t>(), size));
   }
   return value->get<std::size_t>();
+}
+
+std::optional<std::uint64_t> JsonFields::whole(std::string_view key) {
+  const json* value = find(key);
+  if (!value) {
+    return std::nullopt;
+  }
+  if (!is_whole(*value)) {
+    fail_type(key, "a whole number from 0", *value);
+  }
+  return value->get<std::uint64_t>();
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> JsonFields::whole_numbers(std::string_view key) {
+  std::vector<std::pair<std::string, std::uint64_t>> numbers;
+  const json* value = find(key);
+  if (!value) {
+    return numbers;
+  }
+  if (!value->is_object()) {
+    fail_type(key, "an object", *value);
+  }
+  for (const auto& [name, number] : value->items()) {
+    if (!is_whole(number)) {
+      fail_type(fmt::format("{}.{}", key, excerpt(name)), "a whole number from 0", number);
+    }
+    numbers.emplace_back(name, number.get<std::uint64_t>());
+  }
+  return numbers;
 }
 
 std::optional<std::vector<glm::dvec3>> JsonFields::vectors(std::string_view key) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -14,6 +15,9 @@
 #include <nlohmann/json.hpp>
 
 namespace raycat {
+
+/// Is it a whole number from 0 that JSON's other readers also keep exactly?
+bool is_whole(const nlohmann::json& value);
 
 /// One JSON object inside a scene file, read key by key. Everything throws `LoadError`, whose
 /// message names the path of what is wrong: `extras.shape: radius: expected a number, ...`. What
@@ -31,8 +35,11 @@ class JsonFields {
   std::optional<glm::dvec3> number_or_vector(std::string_view key);  ///< 0.5 is (0.5, 0.5, 0.5)
   std::optional<std::string> string(std::string_view key);
   std::optional<std::size_t> index(std::string_view key, std::string_view of, std::size_t size);
+  std::optional<std::uint64_t> whole(std::string_view key);  ///< from 0, below 2^53
   std::optional<std::vector<glm::dvec3>> vectors(std::string_view key);
   std::optional<std::vector<std::vector<std::uint32_t>>> index_lists(std::string_view key);
+  /// An object's members, all whole numbers; none if it is absent.
+  std::vector<std::pair<std::string, std::uint64_t>> whole_numbers(std::string_view key);
   std::optional<JsonFields> object(std::string_view key);
 
   /// The string `type`, which must be there. Messages do not list it among the expected keys.

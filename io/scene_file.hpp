@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh_faces.hpp"
+#include "io/load_budget.hpp"
 #include "tracer/scene.hpp"
 
 namespace raycat {
@@ -26,6 +27,7 @@ struct LoadOptions {
   FaceRule faces;         ///< how mesh triangles join into faces
   double exposure = 0.0;  ///< EV: glTF's lights count 2^exposure times
   Facetting facets = Facetting::openscad;
+  LoadLimits limits;        ///< of glTF files
   bool keep_going = false;  ///< warn of .csg nodes that cannot be made, and read the rest
 };
 

@@ -57,9 +57,8 @@ TEST_CASE("a wrong type is one clear line", "[io][gltf]") {
   CHECK(gltf_error(gltf("0", R"({"scale":[1,2]})")) ==
         "node 0: scale: expected 3 numbers, but found [1,2]");
   CHECK(gltf_error(gltf("7", "{}")) == "scenes[0]: nodes[0]: there is no nodes[7]; the file has 1");
-  CHECK(gltf_error(
-            R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]})") ==
-        "extensionsRequired: extension 'KHR_draco_mesh_compression' is required but not supported");
+  CHECK(gltf_error(R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_texture_basisu"]})") ==
+        "extensionsRequired: extension 'KHR_texture_basisu' is required but not supported");
 }
 
 TEST_CASE("nodes must be a forest", "[io][gltf]") {
@@ -77,8 +76,8 @@ TEST_CASE("accessors past their data are refused before they are read", "[io][gl
         "accessors[0]: 9007199254740991 elements of 12 bytes from byte 0 overrun the 36 of "
         "bufferViews[0]");
   CHECK(gltf_error(triangle(R"({"componentType":5126,"count":9007199254740991,"type":"VEC3"})",
-                            view, zeros)) ==
-        "accessors[0]: accessors without a buffer view hold at most 268435456 bytes in all");
+                            view, zeros))
+            .find("that --max-memory allows") != std::string::npos);
   CHECK(gltf_error(triangle(
             positions, R"({"buffer":0,"byteOffset":9007199254740991,"byteLength":36})", zeros)) ==
         "bufferViews[0]: 36 bytes from 9007199254740991 overrun the 36 of buffers[0]");
