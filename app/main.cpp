@@ -69,6 +69,18 @@ void add_common(CLI::App& command, CommonOptions& options) {
                   "glTF's own lights count 2^EV times; 0 by default")
       ->type_name("EV")
       ->check(number_in(-64.0, 64.0));
+  command.add_option("--scene", options.load.scene, "Scene of a glTF file, by name or from 0")
+      ->type_name("NAME|N");
+  command
+      .add_option("--time", options.load.time,
+                  "Pose glTF nodes as an animation has them at this time; at rest if left out")
+      ->type_name("SECONDS")
+      ->check(number_in(-1e9, 1e9));
+  command
+      .add_option("--animation", options.load.animation,
+                  "Which animation --time is of, by name or from 0; the first by default")
+      ->type_name("NAME|N")
+      ->needs("--time");
   add_choice<Facetting>(command, "--facets", options.load.facets,
                         {{"openscad", Facetting::openscad}, {"smooth", Facetting::smooth}},
                         "Round things of .csg files: openscad (its facets; default) or smooth "

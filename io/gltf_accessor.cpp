@@ -111,7 +111,9 @@ GltfAccessor::GltfAccessor(const GltfDocument& document, std::size_t number)
       component_size_(component_size(document.model.accessors[number].componentType)),
       components_(component_count(document.model.accessors[number])),
       component_type_(document.model.accessors[number].componentType),
-      normalized_(document.model.accessors[number].normalized) {
+      normalized_(document.model.accessors[number].normalized),
+      matrices_(document.model.accessors[number].type == TINYGLTF_TYPE_MAT4 &&
+                component_type_ == TINYGLTF_COMPONENT_TYPE_FLOAT) {
   const tinygltf::Accessor& accessor = document.model.accessors[number];
   const auto view_data = [&](int view) {
     const auto bytes = document.view_bytes(static_cast<std::size_t>(view));
@@ -187,6 +189,15 @@ glm::dvec4 GltfAccessor::operator[](std::size_t i) const noexcept {
     element[c] = component(bytes + static_cast<std::size_t>(c) * component_size_);
   }
   return element;
+}
+
+glm::dmat4 GltfAccessor::matrix(std::size_t i) const noexcept {
+  glm::dmat4 matrix(0.0);
+  const std::uint8_t* bytes = data_ + i * stride_;
+  for (int c = 0; c < 16; ++c) {
+    matrix[c / 4][c % 4] = component(bytes + static_cast<std::size_t>(c) * component_size_);
+  }
+  return matrix;
 }
 
 std::uint32_t GltfAccessor::index(std::size_t i) const noexcept {

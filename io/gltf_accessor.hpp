@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 #include "io/gltf_document.hpp"
@@ -26,6 +27,11 @@ class GltfAccessor {
   /// Element `i`; components it does not have are 0.
   glm::dvec4 operator[](std::size_t i) const noexcept;
 
+  bool holds_matrices() const noexcept { return matrices_; }
+
+  /// Element `i` of 4 x 4 matrices of floats.
+  glm::dmat4 matrix(std::size_t i) const noexcept;
+
   /// Element `i` of integers.
   std::uint32_t index(std::size_t i) const noexcept;
 
@@ -40,6 +46,7 @@ class GltfAccessor {
   int components_;
   int component_type_;
   bool normalized_;
+  bool matrices_;  // 4 x 4, of floats
 };
 
 /// Throws `LoadError` unless all of the document's buffer views lie within their buffers and its

@@ -25,6 +25,9 @@ class GltfAssets {
 
   const LoadOptions& options() const noexcept { return options_; }
 
+  /// Is a file being read that another places?
+  bool nested() const noexcept { return !loading_.empty(); }
+
   /// What is left for all files together.
   LoadBudget& budget() noexcept { return budget_; }
 

@@ -25,7 +25,9 @@ using nlohmann::json;
 
 // Without what these say, triangles would be read wrongly or not at all.
 constexpr auto read_extensions = std::to_array<std::string_view>({
+    "EXT_instance_features",
     "EXT_mesh_features",
+    "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
@@ -38,6 +40,7 @@ constexpr auto read_extensions = std::to_array<std::string_view>({
     "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_meshopt_compression",
+    "KHR_node_visibility",
     "KHR_texture_transform",
 });
 

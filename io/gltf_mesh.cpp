@@ -7,6 +7,7 @@
 
 #include "geometry/mesh.hpp"
 #include "io/gltf_primitive.hpp"
+#include "io/scene_file.hpp"
 
 namespace raycat {
 namespace {
@@ -84,21 +85,21 @@ GltfMesh GltfMeshes::read(std::size_t number) {
   GltfMesh mesh;
   mesh.names = names(number);
   for (std::size_t i = 0; i < from.size(); ++i) {
-    if (!from[i].targets.empty()) {
-      document_.warnings.push_back(
-          fmt::format("meshes[{}]: primitives[{}]: morph targets are ignored", number, i));
+    if (from[i].mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+      throw LoadError(
+          document_.file, fmt::format("meshes[{}]", number),
+          fmt::format("primitives[{}]: mode {} is not one of glTF 2.0", i, from[i].mode));
     }
-    std::optional<std::size_t> material;
-    if (from[i].material >= 0) {
-      material = static_cast<std::size_t>(from[i].material);
+    if (from[i].mode < TINYGLTF_MODE_TRIANGLES) {
+      ++undrawn_;
+      continue;
     }
-    const auto surface =
-        read_primitive(document_, number, i, material ? &materials_[*material] : nullptr, faces_,
-                       mesh.names ? &*mesh.names : nullptr, budget_);
-    if (surface && !surface->triangles.triangles.empty()) {
-      mesh.primitives.push_back({.mesh = surface,
-                                 .material = material,
-                                 .triangles = surface->triangles.triangles.size()});
+    const GltfMaterial* material =
+        from[i].material < 0 ? nullptr : &materials_[static_cast<std::size_t>(from[i].material)];
+    auto primitive = read_primitive(document_, number, i, material, faces_,
+                                    mesh.names ? &*mesh.names : nullptr, budget_);
+    if (primitive && primitive->triangles > 0) {
+      mesh.primitives.push_back(*std::move(primitive));
     }
   }
   return mesh;

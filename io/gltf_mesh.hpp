@@ -11,16 +11,10 @@
 #include "io/gltf_document.hpp"
 #include "io/gltf_features.hpp"
 #include "io/gltf_material.hpp"
+#include "io/gltf_primitive.hpp"
 #include "tracer/scene.hpp"
 
 namespace raycat {
-
-/// The triangles of a glTF primitive.
-struct GltfPrimitive {
-  std::shared_ptr<const SurfaceMesh> mesh;
-  std::optional<std::size_t> material;
-  std::uint64_t triangles = 0;  ///< as the file has them
-};
 
 struct GltfMesh {
   std::vector<GltfPrimitive> primitives;  ///< those that are made of triangles
@@ -37,6 +31,9 @@ class GltfMeshes {
   /// Throws `LoadError`.
   const GltfMesh& mesh(std::size_t number);
 
+  /// Primitives of points and lines that were met, which have no surface and are not drawn.
+  std::size_t undrawn() const noexcept { return undrawn_; }
+
   /// All primitives as one solid with the faces of all. Throws `std::invalid_argument` as
   /// `ClosedMesh` does.
   MeshShape solid(std::size_t number);
@@ -51,6 +48,7 @@ class GltfMeshes {
   LoadBudget& budget_;
   std::vector<std::optional<GltfMesh>> meshes_;
   std::vector<MeshShape> solids_;
+  std::size_t undrawn_ = 0;
 };
 
 /// Meshes laid side by side in one: the faces of each follow those of the one before.

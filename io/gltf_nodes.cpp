@@ -1,10 +1,14 @@
 #include "io/gltf_nodes.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
+#include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
 
+#include "io/excerpt.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -38,9 +42,32 @@ glm::dmat4 local_matrix(const GltfDocument& document, std::size_t number) {
   return matrix;
 }
 
+bool visible(const GltfDocument& document, std::size_t node) {
+  auto own = document.extension(document.json["nodes"][node], "KHR_node_visibility",
+                                document.node_place(node));
+  return !own || own->boolean("visible").value_or(true);
+}
+
+std::size_t find_scene(const GltfDocument& document, const std::string& wanted) {
+  const auto& scenes = document.model.scenes;
+  const auto named = std::ranges::find(scenes, wanted, &tinygltf::Scene::name);
+  if (named != scenes.end()) {
+    return static_cast<std::size_t>(named - scenes.begin());
+  }
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  if (error != std::errc() || end != wanted.data() + wanted.size() || number >= scenes.size()) {
+    throw LoadError(
+        document.file, "scenes",
+        fmt::format("none is called '{}'; the file has {}", excerpt(wanted), scenes.size()));
+  }
+  return number;
+}
+
 GltfNodes walk(const GltfDocument& document, const std::vector<std::size_t>& roots) {
   GltfNodes nodes;
   nodes.world.assign(document.model.nodes.size(), glm::dmat4(1.0));
+  nodes.hidden.assign(document.model.nodes.size(), false);
   std::vector<bool> seen(document.model.nodes.size());
   for (const std::size_t root : roots) {
     std::vector<std::size_t> pending{root};
@@ -54,8 +81,11 @@ GltfNodes walk(const GltfDocument& document, const std::vector<std::size_t>& roo
       seen[node] = true;
       nodes.order.push_back(node);
       nodes.world[node] = local_matrix(document, node);
+      nodes.hidden[node] = !visible(document, node);
       if (node != root) {
-        nodes.world[node] = nodes.world[*document.parents[node]] * nodes.world[node];
+        const std::size_t parent = *document.parents[node];
+        nodes.world[node] = nodes.world[parent] * nodes.world[node];
+        nodes.hidden[node] = nodes.hidden[node] || nodes.hidden[parent];
       }
       const auto& children = document.model.nodes[node].children;
       pending.insert(pending.end(), children.rbegin(), children.rend());
@@ -66,11 +96,13 @@ GltfNodes walk(const GltfDocument& document, const std::vector<std::size_t>& roo
 
 }  // namespace
 
-GltfNodes scene_nodes(const GltfDocument& document) {
+GltfNodes scene_nodes(const GltfDocument& document, const std::string& wanted) {
   const auto& model = document.model;
   std::vector<std::size_t> roots;
-  if (!model.scenes.empty()) {
-    const auto& scene = model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))];
+  if (!model.scenes.empty() || !wanted.empty()) {
+    const auto& scene =
+        model.scenes[wanted.empty() ? static_cast<std::size_t>(std::max(model.defaultScene, 0))
+                                    : find_scene(document, wanted)];
     roots.assign(scene.nodes.begin(), scene.nodes.end());
   } else {
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {

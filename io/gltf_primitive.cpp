@@ -39,22 +39,15 @@ class PrimitiveReader {
         place_(fmt::format("meshes[{}]", mesh)),
         path_(fmt::format("primitives[{}]", primitive)) {}
 
-  std::shared_ptr<const SurfaceMesh> read(const GltfMaterial* material, const FaceRule& faces,
-                                          const FeatureNames* names, LoadBudget& budget) {
+  std::optional<GltfPrimitive> read(const GltfMaterial* material, const FaceRule& faces,
+                                    const FeatureNames* names, LoadBudget& budget) {
     const auto positions = attribute("POSITION", 3, 3);
-    if (from_.mode < TINYGLTF_MODE_TRIANGLES || from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-      if (from_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        fail(fmt::format("mode {} is not one of glTF 2.0", from_.mode));
-      }
-      warn("points and lines are not drawn");
-      return nullptr;
-    }
     if (!positions) {
       warn("has no positions and is not drawn");
-      return nullptr;
+      return std::nullopt;
     }
     std::vector<std::uint32_t> corners = read_corners(positions->size(), budget);
-    const std::vector<std::uint32_t> vertices = renumber(corners, positions->size());
+    std::vector<std::uint32_t> vertices = renumber(corners, positions->size());
     auto mesh = std::make_shared<SurfaceMesh>();
     mesh->triangles.positions.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices) {
@@ -73,7 +66,16 @@ class PrimitiveReader {
     } else {
       group(faces, *mesh);
     }
-    return mesh;
+    const bool deformable = !from_.targets.empty() || from_.attributes.contains("JOINTS_0");
+    GltfPrimitive out{.number = primitive_, .triangles = mesh->triangles.triangles.size()};
+    out.mesh = std::move(mesh);
+    if (from_.material >= 0) {
+      out.material = static_cast<std::size_t>(from_.material);
+    }
+    if (deformable) {
+      out.vertices = std::move(vertices);
+    }
+    return out;
   }
 
  private:
@@ -325,11 +327,10 @@ class PrimitiveReader {
 
 }  // namespace
 
-std::shared_ptr<const SurfaceMesh> read_primitive(GltfDocument& document, std::size_t mesh,
-                                                  std::size_t primitive,
-                                                  const GltfMaterial* material,
-                                                  const FaceRule& faces, const FeatureNames* names,
-                                                  LoadBudget& budget) {
+std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
+                                            std::size_t primitive, const GltfMaterial* material,
+                                            const FaceRule& faces, const FeatureNames* names,
+                                            LoadBudget& budget) {
   return PrimitiveReader(document, mesh, primitive).read(material, faces, names, budget);
 }
 

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
+#include <optional>
+#include <vector>
 
 #include "geometry/mesh_faces.hpp"
 #include "io/gltf_document.hpp"
@@ -13,15 +14,26 @@
 
 namespace raycat {
 
+/// The triangles of a glTF primitive.
+struct GltfPrimitive {
+  std::size_t number = 0;  ///< in its mesh
+  std::shared_ptr<const SurfaceMesh> mesh;
+  std::optional<std::size_t> material;
+  std::uint64_t triangles = 0;  ///< as the file has them
+
+  /// Which of the file's vertices each of the mesh's is, ascending; only of a primitive that has
+  /// morph targets or joints.
+  std::vector<std::uint32_t> vertices;
+};
+
 /// Reads the triangles of one primitive of a mesh, whose material is `material` or null. Its faces
 /// are its features, as `names` tells them if it is not null; without features they are found by
-/// the rule. Takes what it holds from the budget. Null if the primitive is of points or
-/// lines, or has no positions; then `document` has a warning more. Triangles with a corner that is
-/// not finite are dropped with a warning. Throws `LoadError`.
-std::shared_ptr<const SurfaceMesh> read_primitive(GltfDocument& document, std::size_t mesh,
-                                                  std::size_t primitive,
-                                                  const GltfMaterial* material,
-                                                  const FaceRule& faces, const FeatureNames* names,
-                                                  LoadBudget& budget);
+/// the rule. Takes what it holds from the budget. The primitive must be of triangles.
+/// Nothing if it has no positions; then `document` has a warning more. Triangles with a corner that
+/// is not finite are dropped with a warning. Throws `LoadError`.
+std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
+                                            std::size_t primitive, const GltfMaterial* material,
+                                            const FaceRule& faces, const FeatureNames* names,
+                                            LoadBudget& budget);
 
 }  // namespace raycat

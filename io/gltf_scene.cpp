@@ -10,7 +10,10 @@
 #include <fmt/format.h>
 
 #include "io/excerpt.hpp"
+#include "io/gltf_animation.hpp"
+#include "io/gltf_deformation.hpp"
 #include "io/gltf_extras.hpp"
+#include "io/gltf_instances.hpp"
 #include "io/gltf_material.hpp"
 #include "io/gltf_mesh.hpp"
 #include "io/gltf_nodes.hpp"
@@ -23,9 +26,10 @@ namespace {
 
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& file, GltfAssets& assets)
+  SceneReader(const std::filesystem::path& file, GltfAssets& assets, bool first)
       : document_(open_gltf(file, assets.budget())),
         assets_(assets),
+        first_(first),
         assembly_(file),
         materials_(read_materials(document_, assembly_.out.scene.textures, assets.budget())),
         meshes_(document_, materials_, assets.options().faces, assets.budget()) {
@@ -35,7 +39,12 @@ class SceneReader {
   }
 
   SceneFile read(const std::optional<std::string>& node) {
-    auto below = node ? nodes_below(document_, *node) : scene_nodes(document_);
+    const LoadOptions& options = assets_.options();
+    if (options.time && (first_ || document_.json.contains("animations"))) {
+      pose_nodes(document_, *options.time, first_ ? options.animation : "");
+    }
+    auto below =
+        node ? nodes_below(document_, *node) : scene_nodes(document_, first_ ? options.scene : "");
     if (!below) {
       throw LoadError(document_.file, "nodes",
                       fmt::format("no node is named '{}'", excerpt(*node)));
@@ -48,6 +57,10 @@ class SceneReader {
     read_surroundings(document_, out.scene);
     for (const auto& name : document_.json.value("extensionsUsed", nlohmann::json::array())) {
       out.extensions.push_back(name);
+    }
+    if (meshes_.undrawn() > 0) {
+      document_.warnings.push_back(fmt::format(
+          "{} primitives of points or lines have no surface and are not drawn", meshes_.undrawn()));
     }
     out.warnings.insert(out.warnings.begin(), document_.warnings.begin(), document_.warnings.end());
     return std::move(out);
@@ -75,6 +88,10 @@ class SceneReader {
     in_tree_.assign(document_.model.nodes.size(), false);
     for (const std::size_t node : nodes_.order) {
       if (in_tree_[node]) {
+        continue;
+      }
+      if (nodes_.hidden[node]) {
+        count_hidden(node);
         continue;
       }
       const NodeExtras extras = node_extras(document_, node);
@@ -106,38 +123,107 @@ class SceneReader {
 
   void read_mesh(std::size_t node) {
     const auto& from = document_.model.nodes[node];
-    const GltfMesh& mesh = meshes_.mesh(static_cast<std::size_t>(from.mesh));
-    if (from.skin >= 0) {
-      warn(node, "its skin is ignored");
-    }
-    Affine transform;
-    try {
-      transform = Affine(nodes_.world[node]);
-    } catch (const std::invalid_argument& error) {
-      warn(node, fmt::format("{}; its mesh is left out", error.what()));
+    const auto number = static_cast<std::size_t>(from.mesh);
+    const GltfMesh& rest = meshes_.mesh(number);
+    if (rest.primitives.empty()) {
       return;
     }
-    if (mesh.primitives.empty()) {
-      return;
-    }
-    take_instance(node, mesh);
-    SceneFile& out = assembly_.out;
     const std::string name = document_.node_name(node);
+    const auto groups = instance_groups(document_, node, assets_.budget());
+    if (from.skin >= 0) {
+      if (groups) {
+        warn(node, "its instances are left out, since its mesh has a skin");
+      }
+      // A skin's joints say where its mesh is, not its node.
+      place_mesh(node, name, posed(node, rest), {glm::dmat4(1.0)});
+      return;
+    }
+    const GltfMesh mesh = posed(node, rest);
+    if (!groups) {
+      place_mesh(node, name, mesh, {nodes_.world[node]});
+      return;
+    }
+    for (const GltfInstanceGroup& group : *groups) {
+      std::vector<glm::dmat4> transforms;
+      for (const glm::dmat4& transform : group.transforms) {
+        transforms.push_back(nodes_.world[node] * transform);
+      }
+      place_mesh(node, name + group.label, mesh, transforms);
+    }
+  }
+
+  // What is hidden is in the file all the same.
+  void count_hidden(std::size_t node) {
+    if (document_.model.nodes[node].mesh < 0) {
+      return;
+    }
+    const auto groups = instance_groups(document_, node, assets_.budget());
+    std::uint64_t places = groups ? 0 : 1;
+    for (const GltfInstanceGroup& group : groups.value_or(std::vector<GltfInstanceGroup>())) {
+      places += group.transforms.size();
+    }
+    const auto number = static_cast<std::size_t>(document_.model.nodes[node].mesh);
+    for (const GltfPrimitive& primitive : meshes_.mesh(number).primitives) {
+      assembly_.out.triangles += places * primitive.triangles;
+    }
+  }
+
+  // The mesh with the node's morph weights and skin; that at rest itself, if there are none.
+  GltfMesh posed(std::size_t node, const GltfMesh& rest) {
+    const auto& from = document_.model.nodes[node];
+    const auto number = static_cast<std::size_t>(from.mesh);
+    const auto& weights =
+        from.weights.empty() ? document_.model.meshes[number].weights : from.weights;
+    std::vector<glm::dmat4> joints;
+    if (from.skin >= 0) {
+      joints = joint_matrices(document_, static_cast<std::size_t>(from.skin), nodes_);
+    }
+    const bool morphed = std::ranges::any_of(weights, [](double weight) { return weight != 0.0; });
+    GltfMesh mesh = rest;
+    for (GltfPrimitive& primitive : mesh.primitives) {
+      if (!primitive.vertices.empty() && (morphed || !joints.empty())) {
+        constexpr std::uint64_t bytes_a_vertex = 256;
+        assets_.budget().take_memory(document_.file, document_.node_place(node),
+                                     primitive.vertices.size(), bytes_a_vertex);
+        primitive.mesh = deformed(document_, number, primitive, weights, joints);
+      }
+    }
+    return mesh;
+  }
+
+  // One object: the mesh at each of the places.
+  void place_mesh(std::size_t node, const std::string& name, const GltfMesh& mesh,
+                  const std::vector<glm::dmat4>& places) {
+    std::vector<Affine> transforms;
+    for (const glm::dmat4& place : places) {
+      try {
+        transforms.emplace_back(place);
+      } catch (const std::invalid_argument& error) {
+        warn(node, fmt::format("{}; its mesh is left out", error.what()));
+      }
+    }
+    if (transforms.empty()) {
+      return;
+    }
+    SceneFile& out = assembly_.out;
     assembly_.add_object(name);
-    const std::optional<SurfaceId> named =
-        mesh.names ? std::optional(add_named(*mesh.names)) : std::nullopt;
-    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-      const GltfPrimitive& primitive = mesh.primitives[i];
-      const SurfaceId first =
-          named ? *named
-                : assembly_.add_primitive(
-                      mesh.primitives.size() == 1 ? name : fmt::format("{}.{}", name, i),
-                      primitive.mesh->triangles.face_count);
-      out.scene.meshes.push_back({.mesh = primitive.mesh,
-                                  .transform = transform,
-                                  .material = material(primitive.material),
-                                  .first_face = first});
-      out.triangles += primitive.triangles;
+    for (const Affine& transform : transforms) {
+      take_instance(node, mesh);
+      const std::optional<SurfaceId> named =
+          mesh.names ? std::optional(add_named(*mesh.names)) : std::nullopt;
+      for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        const GltfPrimitive& primitive = mesh.primitives[i];
+        const SurfaceId first =
+            named ? *named
+                  : assembly_.add_primitive(
+                        mesh.primitives.size() == 1 ? name : fmt::format("{}.{}", name, i),
+                        primitive.mesh->triangles.face_count);
+        out.scene.meshes.push_back({.mesh = primitive.mesh,
+                                    .transform = transform,
+                                    .material = material(primitive.material),
+                                    .first_face = first});
+        out.triangles += primitive.triangles;
+      }
     }
   }
 
@@ -207,6 +293,9 @@ class SceneReader {
       const auto& children = document_.model.nodes[frame.node].children;
       if (frame.next_child < children.size()) {
         const auto child = static_cast<std::size_t>(children[frame.next_child++]);
+        if (nodes_.hidden[child]) {
+          continue;
+        }
         if (frame.operands.size() <= 1) {
           frame.cut_leaf = tree.tree.leaves().size();
         }
@@ -325,6 +414,7 @@ class SceneReader {
 
   GltfDocument document_;
   GltfAssets& assets_;
+  bool first_;  // is this the file that was asked for, rather than one that it places?
   SceneAssembly assembly_;
   std::vector<GltfMaterial> materials_;
   GltfMeshes meshes_;
@@ -340,7 +430,7 @@ class SceneReader {
 
 SceneFile read_gltf_scene(const std::filesystem::path& file, const std::optional<std::string>& node,
                           GltfAssets& assets) {
-  return SceneReader(file, assets).read(node);
+  return SceneReader(file, assets, !assets.nested()).read(node);
 }
 
 }  // namespace raycat

@@ -78,6 +78,8 @@ constexpr auto rules = std::to_array<Rule>({
     {"meshes.[].primitives.[].material", Kind::index, "materials"},
     {"meshes.[].primitives.[].mode", Kind::whole},
     {"meshes.[].primitives.[].targets", Kind::array},
+    {"meshes.[].primitives.[].targets.[]", Kind::object},
+    {"meshes.[].primitives.[].targets.[].*", Kind::index, "accessors"},
     {"meshes.[].primitives.[].extensions", Kind::object},
 
     {"accessors", Kind::array},
@@ -162,6 +164,9 @@ constexpr auto rules = std::to_array<Rule>({
     {"cameras.[].orthographic.zfar", Kind::number, "", 0, required},
     {"cameras.[].orthographic.znear", Kind::number, "", 0, required},
     {"skins", Kind::array},
+    {"skins.[]", Kind::object},
+    {"skins.[].joints", Kind::array, "", 0, required},
+    {"skins.[].joints.[]", Kind::index, "nodes"},
 });
 
 std::vector<std::string_view> steps(std::string_view path) {

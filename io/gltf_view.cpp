@@ -148,6 +148,9 @@ std::vector<Light> read_lights(const GltfDocument& document, const GltfNodes& no
                                double exposure) {
   std::vector<Light> lights;
   for (const std::size_t node : nodes.order) {
+    if (nodes.hidden[node]) {
+      continue;
+    }
     const auto& json = document.json["nodes"][node];
     auto extension = document.extension(json, "KHR_lights_punctual", document.node_place(node));
     const auto number = extension ? extension->index("light", "lights", max_index) : std::nullopt;

@@ -36,6 +36,17 @@ glm::vec<size, double> JsonFields::vector(const json& value, std::string_view ke
   return vector;
 }
 
+std::optional<bool> JsonFields::boolean(std::string_view key) {
+  const json* value = find(key);
+  if (!value) {
+    return std::nullopt;
+  }
+  if (!value->is_boolean()) {
+    fail_type(key, "true or false", *value);
+  }
+  return value->get<bool>();
+}
+
 std::optional<double> JsonFields::number(std::string_view key) {
   const json* value = find(key);
   if (!value) {

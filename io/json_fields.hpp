@@ -28,6 +28,7 @@ class JsonFields {
   JsonFields(std::filesystem::path file, std::string place, std::string path,
              const nlohmann::json& object);
 
+  std::optional<bool> boolean(std::string_view key);
   std::optional<double> number(std::string_view key);
   std::optional<glm::dvec2> vector2(std::string_view key);
   std::optional<glm::dvec3> vector(std::string_view key);
