@@ -99,6 +99,25 @@ class FaceGrouping {
     }
   }
 
+  /// Joins what shares an edge, but for the edges between two of the points given.
+  void join_all_but(std::span<const glm::uvec2> borders, std::span<const std::uint32_t> welded) {
+    std::vector<std::uint64_t> kept_apart;
+    for (const glm::uvec2& border : borders) {
+      kept_apart.push_back(edge_key(welded[border.x], welded[border.y]));
+    }
+    std::ranges::sort(kept_apart);
+    for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
+      const std::span<const std::uint32_t> uses = edges_[edge];
+      const std::uint64_t key =
+          edge_key(start(uses.front()), half_edge_end(vertices_, uses.front()));
+      if (!std::ranges::binary_search(kept_apart, key)) {
+        for (const std::uint32_t use : uses.subspan(1)) {
+          sets_.join(uses.front() / 3, use / 3);
+        }
+      }
+    }
+  }
+
   /// Spreads faces over degenerate triangles, from edge to edge and then through vertices, for
   /// those without an edge.
   void adopt_degenerate_triangles() {
@@ -155,6 +174,10 @@ class FaceGrouping {
     const double length = glm::length(normal);
     const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
     return length > least_height * longest ? normal / length : glm::dvec3(0.0);
+  }
+
+  static std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
   }
 
   bool degenerate(std::uint32_t triangle) const { return normals_[triangle] == glm::dvec3(0.0); }
@@ -264,6 +287,20 @@ std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions) {
   return first;
 }
 
+namespace {
+
+std::vector<std::uint32_t> numbered(FaceGrouping& grouping, std::size_t triangles) {
+  std::vector<std::uint32_t> faces(triangles);
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    const std::uint32_t first = grouping.first_of_face(i);
+    faces[i] = first == i ? count++ : faces[first];
+  }
+  return faces;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
                                        std::span<const glm::uvec3> triangles,
                                        std::span<const glm::vec3> normals, const FaceRule& rule) {
@@ -273,13 +310,15 @@ std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
   grouping.join_smooth_edges();
   grouping.adopt_degenerate_triangles();
 
-  std::vector<std::uint32_t> faces(triangles.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    const std::uint32_t first = grouping.first_of_face(i);
-    faces[i] = first == i ? count++ : faces[first];
-  }
-  return faces;
+  return numbered(grouping, triangles.size());
+}
+
+std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> positions,
+                                               std::span<const glm::uvec3> triangles,
+                                               std::span<const glm::uvec2> borders) {
+  FaceGrouping grouping(positions, triangles, {}, {});
+  grouping.join_all_but(borders, weld(positions));
+  return numbered(grouping, triangles.size());
 }
 
 }  // namespace raycat

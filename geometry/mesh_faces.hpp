@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "geometry/mesh.hpp"
@@ -32,6 +33,13 @@ std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
                                        std::span<const glm::uvec3> triangles,
                                        std::span<const glm::vec3> normals,
                                        const FaceRule& rule = {});
+
+/// The faces of triangles whose borders are told: two triangles that share an edge, once equal
+/// positions are welded, are of one face unless the edge is among `borders`, pairs of positions in
+/// either order. Numbered as above.
+std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> positions,
+                                               std::span<const glm::uvec3> triangles,
+                                               std::span<const glm::uvec2> borders);
 
 /// A mesh of polygons as triangles, with face k the polygon k. A face of `faces` lists the
 /// corners of one planar polygon counter-clockwise from outside, convex or not. Throws

@@ -73,12 +73,6 @@ std::uint32_t load_index(const std::uint8_t* bytes, int type) noexcept {
   }
 }
 
-bool is_index_type(int type) noexcept {
-  return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-         type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-         type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-}
-
 std::string accessor_place(std::size_t accessor) { return fmt::format("accessors[{}]", accessor); }
 
 // Are `count` elements of `size` bytes, `stride` apart from `offset` on, within `length`?
@@ -105,6 +99,12 @@ void check_views(const GltfDocument& document) {
 }
 
 }  // namespace
+
+bool is_index_type(int component_type) noexcept {
+  return component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+         component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+         component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
 
 GltfAccessor::GltfAccessor(const GltfDocument& document, std::size_t number)
     : count_(document.model.accessors[number].count),

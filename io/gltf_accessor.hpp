@@ -49,6 +49,9 @@ class GltfAccessor {
   bool matrices_;  // 4 x 4, of floats
 };
 
+/// Is a component type one that indices may have?
+bool is_index_type(int component_type) noexcept;
+
 /// Throws `LoadError` unless all of the document's buffer views lie within their buffers and its
 /// accessors within their views. Everything that a `GltfAccessor` relies on. Takes from the budget
 /// what accessors hold beside the buffers.

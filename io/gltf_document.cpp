@@ -25,23 +25,16 @@ using nlohmann::json;
 
 // Without what these say, triangles would be read wrongly or not at all.
 constexpr auto read_extensions = std::to_array<std::string_view>({
-    "EXT_instance_features",
-    "EXT_mesh_features",
-    "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular",
-    "KHR_materials_transmission",
-    "KHR_materials_unlit",
-    "KHR_materials_volume",
-    "KHR_mesh_quantization",
-    "KHR_meshopt_compression",
-    "KHR_node_visibility",
-    "KHR_texture_transform",
+    "CESIUM_primitive_outline", "EXT_instance_features",
+    "EXT_mesh_features",        "EXT_mesh_gpu_instancing",
+    "EXT_mesh_polygon",         "EXT_meshopt_compression",
+    "FB_ngon_encoding",         "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",      "KHR_materials_emissive_strength",
+    "KHR_materials_ior",        "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",   "KHR_materials_transmission",
+    "KHR_materials_unlit",      "KHR_materials_volume",
+    "KHR_mesh_quantization",    "KHR_meshopt_compression",
+    "KHR_node_visibility",      "KHR_texture_transform",
 });
 
 bool contains(const auto& range, std::string_view name) {

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "io/gltf_accessor.hpp"
+#include "io/gltf_borders.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -54,7 +55,8 @@ class PrimitiveReader {
       mesh->triangles.positions.emplace_back((*positions)[vertex]);
     }
     mesh->triangles.triangles = assemble(std::move(corners));
-    drop_infinite(mesh->triangles);
+    auto polygons = authored_polygons(document_, mesh_, primitive_, mesh->triangles.triangles);
+    drop_infinite(mesh->triangles, polygons);
     read_normals(vertices, positions->size(), *mesh);
     read_coordinates(material, vertices, positions->size(), *mesh);
     read_colours(vertices, positions->size(), *mesh);
@@ -63,6 +65,11 @@ class PrimitiveReader {
       take_features(*features, names, mesh->triangles);
     } else if (names != nullptr) {
       fail("extras.raycat: names features, but none can be read");
+    } else if (polygons) {
+      mesh->triangles.faces = *std::move(polygons);
+      count_faces(mesh->triangles);
+    } else if (auto outline = authored_outline(document_, mesh_, primitive_, positions->size())) {
+      group_between(*std::move(outline), vertices, mesh->triangles);
     } else {
       group(faces, *mesh);
     }
@@ -120,10 +127,7 @@ class PrimitiveReader {
     if (from_.indices >= 0) {
       const auto number = static_cast<std::size_t>(from_.indices);
       const auto& accessor = document_.model.accessors[number];
-      if (accessor.type != TINYGLTF_TYPE_SCALAR ||
-          (accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-           accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-           accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+      if (accessor.type != TINYGLTF_TYPE_SCALAR || !is_index_type(accessor.componentType)) {
         fail(fmt::format("indices: accessors[{}] does not hold indices", number));
       }
       indices.emplace(document_, number);
@@ -199,11 +203,27 @@ class PrimitiveReader {
     return triangles;
   }
 
-  void drop_infinite(TriangleMesh& mesh) const {
-    const auto dropped = std::erase_if(mesh.triangles, [&](const glm::uvec3& triangle) {
-      return !finite(mesh.positions[triangle.x]) || !finite(mesh.positions[triangle.y]) ||
-             !finite(mesh.positions[triangle.z]);
-    });
+  void drop_infinite(TriangleMesh& mesh,
+                     std::optional<std::vector<std::uint32_t>>& polygons) const {
+    const auto whole = [&](const glm::uvec3& t) {
+      return finite(mesh.positions[t.x]) && finite(mesh.positions[t.y]) &&
+             finite(mesh.positions[t.z]);
+    };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (whole(mesh.triangles[i])) {
+        mesh.triangles[kept] = mesh.triangles[i];
+        if (polygons) {
+          (*polygons)[kept] = (*polygons)[i];
+        }
+        ++kept;
+      }
+    }
+    const std::size_t dropped = mesh.triangles.size() - kept;
+    mesh.triangles.resize(kept);
+    if (polygons) {
+      polygons->resize(kept);
+    }
     for (glm::dvec3& position : mesh.positions) {
       position = finite(position) ? position : glm::dvec3(0.0);
     }
@@ -313,8 +333,28 @@ class PrimitiveReader {
   static void group(const FaceRule& rule, SurfaceMesh& mesh) {
     TriangleMesh& triangles = mesh.triangles;
     triangles.faces = group_faces(triangles.positions, triangles.triangles, mesh.normals, rule);
-    triangles.face_count =
-        triangles.faces.empty() ? 0 : std::ranges::max(triangles.faces) + std::uint32_t{1};
+    count_faces(triangles);
+  }
+
+  // The outline is of the file's vertices, and lines between those that no triangle uses are none.
+  static void group_between(std::vector<glm::uvec2> outline,
+                            const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
+    std::erase_if(outline, [&](const glm::uvec2& line) {
+      return !std::ranges::binary_search(vertices, line.x) ||
+             !std::ranges::binary_search(vertices, line.y);
+    });
+    for (glm::uvec2& line : outline) {
+      for (std::uint32_t* end : {&line.x, &line.y}) {
+        *end =
+            static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, *end) - vertices.begin());
+      }
+    }
+    mesh.faces = group_faces_between(mesh.positions, mesh.triangles, outline);
+    count_faces(mesh);
+  }
+
+  static void count_faces(TriangleMesh& mesh) {
+    mesh.face_count = mesh.faces.empty() ? 0 : std::ranges::max(mesh.faces) + std::uint32_t{1};
   }
 
   GltfDocument& document_;

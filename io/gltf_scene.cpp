@@ -59,8 +59,9 @@ class SceneReader {
       out.extensions.push_back(name);
     }
     if (meshes_.undrawn() > 0) {
-      document_.warnings.push_back(fmt::format(
-          "{} primitives of points or lines have no surface and are not drawn", meshes_.undrawn()));
+      document_.warnings.push_back(
+          fmt::format("primitives of points or lines, which have no surface, are not drawn: {}",
+                      meshes_.undrawn()));
     }
     out.warnings.insert(out.warnings.begin(), document_.warnings.begin(), document_.warnings.end());
     return std::move(out);

@@ -227,6 +227,35 @@ TEST_CASE("normals that are zero or not finite agree with nothing", "[geometry][
   CHECK(count(group_faces(cube.positions, cube.triangles, normals)) == 6);
 }
 
+TEST_CASE("told borders part faces, whatever the angles", "[geometry][mesh_faces]") {
+  const TriangleMesh cube = split(test::box(glm::dvec3(-1.0), glm::dvec3(1.0)));
+  CHECK(count(group_faces_between(cube.positions, cube.triangles, {})) == 1);
+  // A border between the two triangles of each side, by corners of their own.
+  std::vector<glm::uvec2> diagonals;
+  for (std::uint32_t i = 0; i < cube.triangles.size(); i += 2) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = cube.triangles[i][k];
+      const std::uint32_t b = cube.triangles[i][(k + 1) % 3];
+      const glm::uvec3& next = cube.triangles[i + 1];
+      const auto has = [&](std::uint32_t corner) {
+        return cube.positions[next.x] == cube.positions[corner] ||
+               cube.positions[next.y] == cube.positions[corner] ||
+               cube.positions[next.z] == cube.positions[corner];
+      };
+      if (has(a) && has(b)) {
+        diagonals.emplace_back(b, a);
+      }
+    }
+  }
+  REQUIRE(diagonals.size() == 6);
+  std::vector<glm::uvec2> all(diagonals);
+  for (const glm::uvec3& t : cube.triangles) {
+    all.insert(all.end(), {{t.x, t.y}, {t.y, t.z}, {t.z, t.x}});
+  }
+  CHECK(count(group_faces_between(cube.positions, cube.triangles, all)) == 12);
+  CHECK(count(group_faces_between(cube.positions, cube.triangles, diagonals)) < 12);
+}
+
 TEST_CASE("a convex polygon is a fan", "[geometry][triangulate]") {
   const TriangleMesh mesh =
       triangulate({{0.0, 0.0, 5.0}, {1.0, 0.0, 5.0}, {2.0, 1.0, 5.0}, {1.0, 2.0, 5.0}},

@@ -50,7 +50,8 @@ TEST_CASE("points and lines are left out with a warning", "[io][gltf]") {
   CHECK(file.scene.meshes.empty());
   CHECK(file.scene.surfaces.objects() == 0);
   CHECK(file.warnings ==
-        std::vector<std::string>{"meshes[0]: primitives[0]: points and lines are not drawn"});
+        std::vector<std::string>{
+            "primitives of points or lines, which have no surface, are not drawn: 1"});
 }
 
 TEST_CASE("a sparse accessor replaces the elements that it names", "[io][gltf]") {
