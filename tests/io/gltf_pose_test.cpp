@@ -109,7 +109,7 @@ TEST_CASE("what an animation cannot do is left out with a warning", "[io][gltf][
         start + "path 'pointer' is not one of glTF 2.0" + end);
 }
 
-TEST_CASE("--animation and --scene choose by name or number", "[io][gltf][pose]") {
+TEST_CASE("an animation and a scene are chosen by name or number", "[io][gltf][pose]") {
   const std::string document =
       animated("translation", "", floats({0, 1}), floats({0, 0, 0, 4, 0, 0}), 2, "VEC3");
   CHECK(corner(load_posed(document, {.time = 1, .animation = "move"}), 0).x == 4.0);
