@@ -122,5 +122,6 @@ int main(int argc, char** argv) {
   return raycat::bench::run(argc, argv,
                             {{"load", "raycat", "embree", 1.6},
                              {"load", "load", "embree", {}},
+                             {"load", "memory", "data_and_bvh", 1.0},
                              {"load", "raycat_wall", "embree_wall", {}}});
 }
