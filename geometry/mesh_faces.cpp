@@ -65,16 +65,16 @@ class FaceGrouping {
                std::span<const glm::vec3> normals, const FaceRule& rule)
       : triangles_(triangles),
         authored_normals_(normals),
+        welded_(weld(positions)),
         vertices_(triangles.size()),
         normals_(triangles.size()),
         same_normal_(std::cos(rule.same_normal)),
         // The chord, unlike the cosine, tells small angles apart.
         crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
         sets_(triangles.size()) {
-    const std::vector<std::uint32_t> first = weld(positions);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const glm::uvec3& t = triangles[i];
-      vertices_[i] = {first[t.x], first[t.y], first[t.z]};
+      vertices_[i] = {welded_[t.x], welded_[t.y], welded_[t.z]};
       normals_[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
     }
     edges_ = edge_uses(vertices_, positions.size());
@@ -100,10 +100,10 @@ class FaceGrouping {
   }
 
   /// Joins what shares an edge, but for the edges between two of the points given.
-  void join_all_but(std::span<const glm::uvec2> borders, std::span<const std::uint32_t> welded) {
+  void join_all_but(std::span<const glm::uvec2> borders) {
     std::vector<std::uint64_t> kept_apart;
     for (const glm::uvec2& border : borders) {
-      kept_apart.push_back(edge_key(welded[border.x], welded[border.y]));
+      kept_apart.push_back(edge_key(welded_[border.x], welded_[border.y]));
     }
     std::ranges::sort(kept_apart);
     for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
@@ -252,6 +252,7 @@ class FaceGrouping {
 
   std::span<const glm::uvec3> triangles_;
   std::span<const glm::vec3> authored_normals_;  // of `triangles_`' vertices, not of welded ones
+  std::vector<std::uint32_t> welded_;
   std::vector<glm::uvec3> vertices_;
   std::vector<glm::dvec3> normals_;
   double same_normal_;
@@ -317,7 +318,7 @@ std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> posit
                                                std::span<const glm::uvec3> triangles,
                                                std::span<const glm::uvec2> borders) {
   FaceGrouping grouping(positions, triangles, {}, {});
-  grouping.join_all_but(borders, weld(positions));
+  grouping.join_all_but(borders);
   return numbered(grouping, triangles.size());
 }
 

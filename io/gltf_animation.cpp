@@ -1,10 +1,7 @@
 #include "io/gltf_animation.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -13,6 +10,7 @@
 
 #include "io/excerpt.hpp"
 #include "io/gltf_accessor.hpp"
+#include "io/name_or_number.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -215,19 +213,18 @@ const json& find_animation(const GltfDocument& document, const std::string& want
   if (wanted.empty()) {
     return all[0];
   }
+  std::vector<std::string> names;
   for (const json& animation : all) {
-    if (member(animation, "name") == wanted) {
-      return animation;
-    }
+    const json& name = member(animation, "name");
+    names.push_back(name.is_string() ? name.get<std::string>() : "");
   }
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  if (error != std::errc() || end != wanted.data() + wanted.size() || number >= all.size()) {
+  const auto number = name_or_number(names, wanted);
+  if (!number) {
     throw LoadError(
         document.file, "animations",
         fmt::format("none is called '{}'; the file has {}", excerpt(wanted), all.size()));
   }
-  return all[number];
+  return all[*number];
 }
 
 }  // namespace

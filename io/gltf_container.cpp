@@ -5,7 +5,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -141,11 +140,11 @@ void open_glb(const std::filesystem::path& file, GltfContainer& container, LoadB
 
 GltfContainer open_container(const std::filesystem::path& file, LoadBudget& budget) {
   GltfContainer container;
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  budget.take_memory(file, "", error ? 0 : size);  // what has no size is refused below
   try {
-    container.bytes = std::make_shared<const Bytes>(read_bytes(file, max_gltf_bytes));
+    container.bytes = std::make_shared<const Bytes>(read_bytes(
+        file, max_gltf_bytes, [&](std::uint64_t size) { budget.take_memory(file, "", size); }));
+  } catch (const LoadError&) {
+    throw;
   } catch (const std::runtime_error& failure) {
     throw LoadError(file, "", failure.what());
   }

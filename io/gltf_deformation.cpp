@@ -1,6 +1,7 @@
 #include "io/gltf_deformation.hpp"
 
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 

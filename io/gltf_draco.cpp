@@ -1,5 +1,6 @@
 #include "io/gltf_draco.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <memory>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -141,7 +142,7 @@ std::optional<std::vector<GltfInstanceGroup>> instance_groups(GltfDocument& docu
     return std::nullopt;
   }
   const Instancing instancing(document, node, *std::move(fields));
-  budget.take_instances(document.file, place, instancing.count());
+  budget.take_memory(document.file, place, instancing.count(), 2 * sizeof(glm::dmat4));
   const std::vector<glm::dmat4> transforms = instancing.transforms();
   const auto ids = features(document, node, instancing);
   std::vector<GltfInstanceGroup> groups;
@@ -156,7 +157,8 @@ std::optional<std::vector<GltfInstanceGroup>> instance_groups(GltfDocument& docu
     }
     const auto [found, added] = group_of.try_emplace(*id, groups.size());
     if (added) {
-      groups.push_back({.label = fmt::format("[{}]", *id), .transforms = {}});
+      groups.push_back(
+          {.label = fmt::format("[{}]", static_cast<std::uint64_t>(*id)), .transforms = {}});
     }
     groups[found->second].transforms.push_back(transforms[i]);
   }

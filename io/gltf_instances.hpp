@@ -21,8 +21,8 @@ struct GltfInstanceGroup {
 /// What EXT_mesh_gpu_instancing places at a node; nothing if the node has none. Each instance is a
 /// group by itself, labelled by its number, unless EXT_instance_features gives instances ids: then
 /// those of one id are one group, labelled by the id, in the order in which ids appear. Takes the
-/// instances from the budget before it makes room for them. Throws `LoadError` where attributes
-/// cannot be read; ids that cannot are left out with a warning.
+/// memory for them from the budget; whoever places them takes the instances. Throws `LoadError`
+/// where attributes cannot be read; ids that cannot are left out with a warning.
 std::optional<std::vector<GltfInstanceGroup>> instance_groups(GltfDocument& document,
                                                               std::size_t node, LoadBudget& budget);
 

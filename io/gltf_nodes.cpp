@@ -1,14 +1,13 @@
 #include "io/gltf_nodes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
 
 #include "io/excerpt.hpp"
+#include "io/name_or_number.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -50,18 +49,17 @@ bool visible(const GltfDocument& document, std::size_t node) {
 
 std::size_t find_scene(const GltfDocument& document, const std::string& wanted) {
   const auto& scenes = document.model.scenes;
-  const auto named = std::ranges::find(scenes, wanted, &tinygltf::Scene::name);
-  if (named != scenes.end()) {
-    return static_cast<std::size_t>(named - scenes.begin());
+  std::vector<std::string> names;
+  for (const tinygltf::Scene& scene : scenes) {
+    names.push_back(scene.name);
   }
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  if (error != std::errc() || end != wanted.data() + wanted.size() || number >= scenes.size()) {
+  const auto number = name_or_number(names, wanted);
+  if (!number) {
     throw LoadError(
         document.file, "scenes",
         fmt::format("none is called '{}'; the file has {}", excerpt(wanted), scenes.size()));
   }
-  return number;
+  return *number;
 }
 
 GltfNodes walk(const GltfDocument& document, const std::vector<std::size_t>& roots) {

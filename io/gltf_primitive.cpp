@@ -151,6 +151,7 @@ class PrimitiveReader {
   static std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& corners,
                                              std::size_t vertices) {
     std::vector<std::uint32_t> used;
+    // Where few of many vertices are used, a table of all of them would be the longer way.
     if (vertices > 8 * corners.size()) {
       used = corners;
       std::ranges::sort(used);

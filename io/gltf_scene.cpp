@@ -131,15 +131,16 @@ class SceneReader {
     }
     const std::string name = document_.node_name(node);
     const auto groups = instance_groups(document_, node, assets_.budget());
+    const std::optional<GltfMesh> moved = posed(node, rest);
+    const GltfMesh& mesh = moved ? *moved : rest;
     if (from.skin >= 0) {
       if (groups) {
         warn(node, "its instances are left out, since its mesh has a skin");
       }
       // A skin's joints say where its mesh is, not its node.
-      place_mesh(node, name, posed(node, rest), {glm::dmat4(1.0)});
+      place_mesh(node, name, mesh, {glm::dmat4(1.0)});
       return;
     }
-    const GltfMesh mesh = posed(node, rest);
     if (!groups) {
       place_mesh(node, name, mesh, {nodes_.world[node]});
       return;
@@ -169,8 +170,8 @@ class SceneReader {
     }
   }
 
-  // The mesh with the node's morph weights and skin; that at rest itself, if there are none.
-  GltfMesh posed(std::size_t node, const GltfMesh& rest) {
+  // The mesh with the node's morph weights and skin; nothing if it is as at rest.
+  std::optional<GltfMesh> posed(std::size_t node, const GltfMesh& rest) {
     const auto& from = document_.model.nodes[node];
     const auto number = static_cast<std::size_t>(from.mesh);
     const auto& weights =
@@ -180,9 +181,12 @@ class SceneReader {
       joints = joint_matrices(document_, static_cast<std::size_t>(from.skin), nodes_);
     }
     const bool morphed = std::ranges::any_of(weights, [](double weight) { return weight != 0.0; });
+    if (!morphed && joints.empty()) {
+      return std::nullopt;
+    }
     GltfMesh mesh = rest;
     for (GltfPrimitive& primitive : mesh.primitives) {
-      if (!primitive.vertices.empty() && (morphed || !joints.empty())) {
+      if (!primitive.vertices.empty()) {
         constexpr std::uint64_t bytes_a_vertex = 256;
         assets_.budget().take_memory(document_.file, document_.node_place(node),
                                      primitive.vertices.size(), bytes_a_vertex);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <stdexcept>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -119,11 +118,7 @@ Bytes read_uri(const std::filesystem::path& folder, std::string_view uri,
     reserve(uri.size());
     return decode_data_uri(uri);
   }
-  const std::filesystem::path file = resolve_uri(folder, uri);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  reserve(error ? 0 : size);  // what has no size is refused below
-  return read_bytes(file, max_gltf_bytes);
+  return read_bytes(resolve_uri(folder, uri), max_gltf_bytes, reserve);
 }
 
 }  // namespace raycat

@@ -39,12 +39,14 @@ std::uintmax_t regular_file_size(const std::filesystem::path& file) {
 }
 
 template <class Buffer>
-Buffer read_whole(const std::filesystem::path& file, std::uintmax_t most_bytes) {
+Buffer read_whole(const std::filesystem::path& file, std::uintmax_t most_bytes,
+                  const std::function<void(std::uint64_t bytes)>& reserve) {
   const std::uintmax_t size = regular_file_size(file);
   if (size > most_bytes) {
     throw std::runtime_error(
         fmt::format("files hold at most {} bytes, but this has {}", most_bytes, size));
   }
+  reserve(size);
   std::ifstream in(file, std::ios::binary);
   Buffer bytes(size, typename Buffer::value_type{});
   if (!in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
@@ -55,13 +57,14 @@ Buffer read_whole(const std::filesystem::path& file, std::uintmax_t most_bytes) 
 
 }  // namespace
 
-Bytes read_bytes(const std::filesystem::path& file, std::uintmax_t most_bytes) {
-  return read_whole<Bytes>(file, most_bytes);
+Bytes read_bytes(const std::filesystem::path& file, std::uintmax_t most_bytes,
+                 const std::function<void(std::uint64_t bytes)>& reserve) {
+  return read_whole<Bytes>(file, most_bytes, reserve);
 }
 
 std::string read_input_file(const std::filesystem::path& file, std::uintmax_t most_bytes) {
   try {
-    return read_whole<std::string>(file, most_bytes);
+    return read_whole<std::string>(file, most_bytes, [](std::uint64_t) {});
   } catch (const std::runtime_error& error) {
     throw LoadError(file, "", error.what());
   }

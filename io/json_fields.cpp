@@ -36,26 +36,25 @@ glm::vec<size, double> JsonFields::vector(const json& value, std::string_view ke
   return vector;
 }
 
-std::optional<bool> JsonFields::boolean(std::string_view key) {
+template <class T>
+std::optional<T> JsonFields::scalar(std::string_view key, std::string_view expected,
+                                    bool (*is)(const json& value)) {
   const json* value = find(key);
   if (!value) {
     return std::nullopt;
   }
-  if (!value->is_boolean()) {
-    fail_type(key, "true or false", *value);
+  if (!is(*value)) {
+    fail_type(key, expected, *value);
   }
-  return value->get<bool>();
+  return value->get<T>();
+}
+
+std::optional<bool> JsonFields::boolean(std::string_view key) {
+  return scalar<bool>(key, "true or false", [](const json& value) { return value.is_boolean(); });
 }
 
 std::optional<double> JsonFields::number(std::string_view key) {
-  const json* value = find(key);
-  if (!value) {
-    return std::nullopt;
-  }
-  if (!value->is_number()) {
-    fail_type(key, "a number", *value);
-  }
-  return value->get<double>();
+  return scalar<double>(key, "a number", [](const json& value) { return value.is_number(); });
 }
 
 std::optional<glm::dvec2> JsonFields::vector2(std::string_view key) {
@@ -89,14 +88,7 @@ std::optional<glm::dvec3> JsonFields::number_or_vector(std::string_view key) {
 }
 
 std::optional<std::string> JsonFields::string(std::string_view key) {
-  const json* value = find(key);
-  if (!value) {
-    return std::nullopt;
-  }
-  if (!value->is_string()) {
-    fail_type(key, "a string", *value);
-  }
-  return value->get<std::string>();
+  return scalar<std::string>(key, "a string", [](const json& value) { return value.is_string(); });
 }
 
 std::optional<std::size_t> JsonFields::index(std::string_view key, std::string_view of,
@@ -116,14 +108,7 @@ std::optional<std::size_t> JsonFields::index(std::string_view key, std::string_v
 }
 
 std::optional<std::uint64_t> JsonFields::whole(std::string_view key) {
-  const json* value = find(key);
-  if (!value) {
-    return std::nullopt;
-  }
-  if (!is_whole(*value)) {
-    fail_type(key, "a whole number from 0", *value);
-  }
-  return value->get<std::uint64_t>();
+  return scalar<std::uint64_t>(key, "a whole number from 0", is_whole);
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> JsonFields::whole_numbers(std::string_view key) {

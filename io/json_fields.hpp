@@ -53,6 +53,9 @@ class JsonFields {
 
  private:
   const nlohmann::json* find(std::string_view key);
+  template <class T>
+  std::optional<T> scalar(std::string_view key, std::string_view expected,
+                          bool (*is)(const nlohmann::json& value));
   template <int size>
   glm::vec<size, double> vector(const nlohmann::json& value, std::string_view key) const;
   [[noreturn]] void fail_type(std::string_view key, std::string_view expected,
