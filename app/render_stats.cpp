@@ -89,6 +89,13 @@ nlohmann::ordered_json stats_of(const RenderOptions& options, const SceneFile& f
                    {"shadow", rays.shadow}};
   stats["seconds"] = {{"load", seconds.load},   {"build", seconds.build}, {"trace", seconds.trace},
                       {"edges", seconds.edges}, {"antialias", 0.0},       {"write", seconds.write}};
+  if (file.seconds) {
+    stats["load"] = {{"parse", file.seconds->parse},
+                     {"decompress", file.seconds->decompress},
+                     {"images", file.seconds->images},
+                     {"meshes", file.seconds->meshes},
+                     {"faces", file.seconds->faces}};
+  }
   stats["peak_memory_bytes"] = peak_memory();
   stats["warnings"] = file.warnings;
   return stats;

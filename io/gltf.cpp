@@ -24,7 +24,9 @@ bool is_gltf(const std::filesystem::path& file) {
 
 SceneFile read_gltf(const std::filesystem::path& file, const LoadOptions& options) {
   GltfAssets assets(options);
-  return read_gltf_scene(file, std::nullopt, assets);
+  SceneFile scene = read_gltf_scene(file, std::nullopt, assets);
+  scene.seconds = assets.budget().spent();
+  return scene;
 }
 
 }  // namespace raycat

@@ -1,6 +1,7 @@
 #include "io/gltf_borders.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,20 +21,29 @@ const nlohmann::json* extension_of(const GltfDocument& document, std::size_t mes
   return &extensions->at(name);
 }
 
-// The accessor of whole numbers that a key of an extension names.
-std::optional<GltfAccessor> numbers(const GltfDocument& document, const nlohmann::json& extension,
-                                    const char* key) {
+// The whole numbers of the accessor that a key of an extension names. Of any type, since the
+// extension's own sample has them signed.
+std::optional<std::vector<std::uint32_t>> numbers(const GltfDocument& document,
+                                                  const nlohmann::json& extension,
+                                                  const char* key) {
   const auto number = extension.is_object() ? extension.find(key) : extension.end();
   if (!extension.is_object() || number == extension.end() || !is_whole(*number) ||
       number->get<std::uint64_t>() >= document.model.accessors.size()) {
     return std::nullopt;
   }
-  const std::size_t accessor = *number;
-  if (!is_index_type(document.model.accessors[accessor].componentType)) {
+  const GltfAccessor values(document, number->get<std::size_t>());
+  if (values.components() != 1) {
     return std::nullopt;
   }
-  GltfAccessor values(document, accessor);
-  return values.components() == 1 ? std::optional(std::move(values)) : std::nullopt;
+  std::vector<std::uint32_t> out(values.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double value = values[i].x;
+    if (!(value >= 0.0 && value < 0x1p32) || value != std::floor(value)) {
+      return std::nullopt;
+    }
+    out[i] = static_cast<std::uint32_t>(value);
+  }
+  return out;
 }
 
 void warn(GltfDocument& document, std::size_t mesh, std::size_t primitive, const char* extension,
@@ -42,12 +52,12 @@ void warn(GltfDocument& document, std::size_t mesh, std::size_t primitive, const
                                           mesh, primitive, extension, what));
 }
 
-std::optional<std::vector<std::uint32_t>> by_offsets(const GltfAccessor& offsets,
+std::optional<std::vector<std::uint32_t>> by_offsets(std::span<const std::uint32_t> offsets,
                                                      std::size_t triangles) {
   std::vector<std::uint32_t> polygons(triangles);
   for (std::size_t p = 0; p < offsets.size(); ++p) {
-    const std::size_t begin = offsets.index(p);
-    const std::size_t end = p + 1 < offsets.size() ? offsets.index(p + 1) : 3 * triangles;
+    const std::size_t begin = offsets[p];
+    const std::size_t end = p + 1 < offsets.size() ? offsets[p + 1] : 3 * triangles;
     if (begin % 3 != 0 || begin > end || end > 3 * triangles || (p == 0 && begin != 0)) {
       return std::nullopt;
     }
@@ -111,7 +121,7 @@ std::optional<std::vector<glm::uvec2>> authored_outline(GltfDocument& document, 
   }
   std::vector<glm::uvec2> edges;
   for (std::size_t i = 0; i < ends->size(); i += 2) {
-    edges.emplace_back(ends->index(i), ends->index(i + 1));
+    edges.emplace_back((*ends)[i], (*ends)[i + 1]);
     if (edges.back().x >= count || edges.back().y >= count) {
       warn(document, mesh, primitive, name, "indices are past the vertices");
       return std::nullopt;

@@ -25,16 +25,29 @@ using nlohmann::json;
 
 // Without what these say, triangles would be read wrongly or not at all.
 constexpr auto read_extensions = std::to_array<std::string_view>({
-    "CESIUM_primitive_outline", "EXT_instance_features",
-    "EXT_mesh_features",        "EXT_mesh_gpu_instancing",
-    "EXT_mesh_polygon",         "EXT_meshopt_compression",
-    "FB_ngon_encoding",         "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",      "KHR_materials_emissive_strength",
-    "KHR_materials_ior",        "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular",   "KHR_materials_transmission",
-    "KHR_materials_unlit",      "KHR_materials_volume",
-    "KHR_mesh_quantization",    "KHR_meshopt_compression",
-    "KHR_node_visibility",      "KHR_texture_transform",
+    "CESIUM_primitive_outline",   "EXT_instance_features",
+    "EXT_mesh_features",          "EXT_mesh_gpu_instancing",
+    "EXT_mesh_polygon",           "EXT_meshopt_compression",
+    "EXT_texture_webp",           "FB_ngon_encoding",
+    "KHR_draco_mesh_compression", "KHR_implicit_shapes",
+    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",     "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_volume",
+    "KHR_mesh_quantization",      "KHR_meshopt_compression",
+    "KHR_node_visibility",        "KHR_physics_rigid_bodies",
+    "KHR_texture_transform",      "OMI_physics_body",
+    "OMI_physics_shape",
+});
+
+// What these say changes nothing that can be seen or told apart.
+constexpr auto silent_extensions = std::to_array<std::string_view>({
+    "EXT_mesh_manifold",  // closed or not, and where, the triangles say themselves
+    "EXT_structural_metadata",
+    "KHR_interactivity",
+    "KHR_node_hoverability",
+    "KHR_node_selectability",
+    "KHR_xmp_json_ld",
 });
 
 bool contains(const auto& range, std::string_view name) {
@@ -60,10 +73,14 @@ void check_extensions(GltfDocument& document) {
                       fmt::format("extension '{}' is required but not supported", excerpt(name)));
     }
   }
+  std::string ignored;
   for (const std::string name : document.json.value("extensionsUsed", json::array())) {
-    if (!contains(read_extensions, name)) {
-      document.warnings.push_back(fmt::format("extension '{}' is ignored", excerpt(name)));
+    if (!contains(read_extensions, name) && !contains(silent_extensions, name)) {
+      ignored += fmt::format("{}{}", ignored.empty() ? "" : ", ", excerpt(name));
     }
+  }
+  if (!ignored.empty()) {
+    document.warnings.push_back("extensions that are ignored: " + ignored);
   }
 }
 
@@ -256,18 +273,25 @@ Bytes GltfDocument::image_bytes(std::size_t image, LoadBudget& budget) const {
 }
 
 GltfDocument open_gltf(const std::filesystem::path& file, LoadBudget& budget) {
-  GltfContainer container = open_container(file, budget);
   GltfDocument document;
   document.file = file;
-  document.json = std::move(container.json);
-  document.warnings = std::move(container.warnings);
-  check_schema(file, document.json);
-  check_version(document);
-  check_extensions(document);
-  budget.check_nodes(file, document.json.value("nodes", json::array()).size());
-  load_buffers(document, container, budget);
-  decode_meshopt(document, budget);
-  decode_draco(document, budget);
+  {
+    const Stopwatch parsing(budget.spent().parse);
+    GltfContainer container = open_container(file, budget);
+    document.json = std::move(container.json);
+    document.warnings = std::move(container.warnings);
+    check_schema(file, document.json);
+    check_version(document);
+    check_extensions(document);
+    budget.check_nodes(file, document.json.value("nodes", json::array()).size());
+    load_buffers(document, container, budget);
+  }
+  {
+    const Stopwatch decompressing(budget.spent().decompress);
+    decode_meshopt(document, budget);
+    decode_draco(document, budget);
+  }
+  const Stopwatch parsing(budget.spent().parse);
   document.model = parse_model(document);
   check_accessors(document, budget);
   check_forest(document);

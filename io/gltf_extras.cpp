@@ -7,6 +7,7 @@
 #include "geometry/mesh.hpp"
 #include "geometry/mesh_faces.hpp"
 #include "io/excerpt.hpp"
+#include "io/gltf_shapes.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -37,14 +38,6 @@ CutMaterial cut_material(const JsonFields& extras, const std::string& name) {
       fmt::format("cut_material: unknown value '{}'; expected operand or base", excerpt(name)));
 }
 
-// Cylinder and capsule have the same parameters.
-template <class Round>
-Round round_shape(JsonFields& fields) {
-  return {.height = fields.number("height").value_or(0.5),
-          .radius_top = fields.number("radiusTop").value_or(0.25),
-          .radius_bottom = fields.number("radiusBottom").value_or(0.25)};
-}
-
 Shape polyhedron(JsonFields& fields) {
   auto points = fields.vectors("points");
   const auto faces = fields.index_lists("faces");
@@ -57,42 +50,26 @@ Shape polyhedron(JsonFields& fields) {
 
 Shape shape(JsonFields& fields) {
   const auto type = fields.type();
-  const auto read = [&]() -> Shape {
-    if (type == "sphere") {
-      return Sphere{.radius = fields.number("radius").value_or(0.5)};
-    }
-    if (type == "box") {
-      return Box{.size = fields.vector("size").value_or(glm::dvec3(1.0))};
-    }
-    if (type == "cylinder") {
-      return round_shape<Cylinder>(fields);
-    }
-    if (type == "capsule") {
-      return round_shape<Capsule>(fields);
-    }
-    if (type == "plane") {
-      return HalfSpace{};
-    }
+  std::optional<Shape> shape = implicit_shape(type, fields);
+  try {
     if (type == "torus") {
-      return Torus{.radius = fields.number("radius").value_or(0.5),
-                   .tube = fields.number("tube").value_or(0.25)};
+      shape = Torus{.radius = fields.number("radius").value_or(0.5),
+                    .tube = fields.number("tube").value_or(0.25)};
+      validate(*shape);
+    } else if (type == "polyhedron") {
+      shape = polyhedron(fields);
     }
-    if (type == "polyhedron") {
-      return polyhedron(fields);
-    }
+  } catch (const std::invalid_argument& error) {
+    fields.fail(error.what());
+  }
+  if (!shape) {
     fields.fail(
         fmt::format("unknown type '{}'; expected sphere, box, cylinder, capsule, plane, "
                     "torus or polyhedron",
                     excerpt(type)));
-  };
-  try {
-    const Shape shape = read();
-    fields.refuse_others();
-    validate(shape);
-    return shape;
-  } catch (const std::invalid_argument& error) {
-    fields.fail(error.what());
   }
+  fields.refuse_others();
+  return *shape;
 }
 
 Camera look_at_pose(JsonFields fields) {

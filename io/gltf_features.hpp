@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/gltf_document.hpp"
+#include "io/gltf_textures.hpp"
+#include "tracer/surface_mesh.hpp"
 
 namespace raycat {
 
@@ -26,16 +29,26 @@ struct FeatureNames {
 /// Nothing if the mesh has none. Throws `LoadError` where they do not fit together.
 std::optional<FeatureNames> feature_names(const GltfDocument& document, std::size_t mesh);
 
-/// The feature ids that a primitive of a mesh gives to its vertices, where it has those of
-/// EXT_mesh_features: of the first set that is not in a texture. `vertices` are the vertices asked
-/// for, of `count` that there are. Vertices without a feature share the last id. Nothing, with a
-/// warning in the document, if there are ids that cannot be read.
+/// Feature ids as numbers of faces. What has no feature shares the last.
 struct FeatureIds {
-  std::vector<std::uint32_t> of_vertex;
-  std::uint32_t count = 0;  ///< more than every id
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t count = 0;  ///< more than every number
 };
+
+/// The ids that the first set of EXT_mesh_features gives to the vertices of a primitive, where it
+/// does. `vertices` are the vertices asked for, of `count` that there are. Nothing, with a warning
+/// in the document, if there are ids that cannot be read.
 std::optional<FeatureIds> feature_ids(GltfDocument& document, std::size_t mesh,
                                       std::size_t primitive,
                                       std::span<const std::uint32_t> vertices, std::size_t count);
+
+/// The same where that set is in a texture, whose coordinates are counted among `sets`.
+struct TexturedFeatures {
+  std::shared_ptr<const FeatureMap> map;
+  std::uint32_t count = 0;  ///< more than every face of the map
+};
+std::optional<TexturedFeatures> feature_map(GltfDocument& document, std::size_t mesh,
+                                            std::size_t primitive, GltfTextures& textures,
+                                            CoordinateSets& sets);
 
 }  // namespace raycat

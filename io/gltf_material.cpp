@@ -1,14 +1,14 @@
 #include "io/gltf_material.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "io/excerpt.hpp"
-#include "io/gltf_pbr.hpp"
 #include "io/scene_file.hpp"
 
 namespace raycat {
@@ -53,7 +53,6 @@ class Limits {
 };
 
 constexpr double any = 1e6;
-constexpr std::size_t max_coordinates = 1000;
 
 void read_extensions(const GltfDocument& document, const nlohmann::json& json,
                      const std::string& place, const Limits& limit, Pbr& pbr) {
@@ -79,6 +78,10 @@ void read_extensions(const GltfDocument& document, const nlohmann::json& json,
   }
   if (auto fields = document.extension(json, "KHR_materials_volume", place)) {
     pbr.thin = !(fields->number("thicknessFactor").value_or(0.0) > 0.0);
+    pbr.attenuation_colour = limit(
+        "attenuationColor", fields->vector("attenuationColor").value_or(glm::dvec3(1.0)), 0.0, 1.0);
+    pbr.attenuation_distance = limit(
+        "attenuationDistance", fields->number("attenuationDistance").value_or(0.0), 0.0, 1e300);
   }
   pbr.unlit = document.extension(json, "KHR_materials_unlit", place).has_value();
 }
@@ -109,7 +112,9 @@ void read_glossiness(JsonFields& fields, const Limits& limit, Pbr& pbr) {
       limit("specularFactor", fields.vector("specularFactor").value_or(glm::dvec3(1.0)), 0.0, 1.0);
 }
 
-Material whitted_extras(JsonFields fields, Material material) {
+Material read_constants(JsonFields fields, const std::string& name) {
+  Material material;
+  material.name = name;
   const auto set = [](glm::vec3& constant, const std::optional<glm::dvec3>& value) {
     constant = glm::vec3(value.value_or(glm::dvec3(0.0)));
   };
@@ -124,34 +129,33 @@ Material whitted_extras(JsonFields fields, Material material) {
   material.ior =
       static_cast<float>(in_range(fields, "ior", fields.number("ior").value_or(1.0), 1e-3, any));
   fields.refuse_others();
-  for (const auto& [name, colour] :
+  for (const auto& [key, colour] :
        {std::pair("emission", material.emission), std::pair("ambient", material.ambient),
         std::pair("diffuse", material.diffuse), std::pair("specular", material.specular),
         std::pair("reflection", material.reflection),
         std::pair("transmission", material.transmission)}) {
     for (int c = 0; c < 3; ++c) {
-      in_range(fields, name, static_cast<double>(colour[c]), 0.0, any);
+      in_range(fields, key, static_cast<double>(colour[c]), 0.0, any);
     }
   }
   return material;
 }
 
-void read_texture(JsonFields& info, std::size_t textures, GltfMaterial& to) {
-  to.texture = info.index("index", "textures", textures);
-  to.coordinates = info.index("texCoord", "TEXCOORD", max_coordinates).value_or(0);
-  auto extensions = info.object("extensions");
-  auto transform = extensions ? extensions->object("KHR_texture_transform") : std::nullopt;
-  if (!transform) {
-    return;
+// The constants themselves, where the material's extras say them.
+std::optional<Material> whitted_extras(const GltfDocument& document, const nlohmann::json& json,
+                                       const std::string& place, const std::string& name) {
+  const auto extras = json.find("extras");
+  if (extras == json.end() || !extras->is_object()) {
+    return std::nullopt;
   }
-  const auto offset = transform->vector2("offset").value_or(glm::dvec2(0.0));
-  const auto scale = transform->vector2("scale").value_or(glm::dvec2(1.0));
-  const double angle = transform->number("rotation").value_or(0.0);
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  to.texture_transform = {c * scale.x, -s * scale.x, s * scale.y, c * scale.y, offset.x, offset.y};
-  to.coordinates =
-      transform->index("texCoord", "TEXCOORD", max_coordinates).value_or(to.coordinates);
+  JsonFields fields(document.file, place, "extras", *extras);
+  auto constants = fields.object("whitted");
+  if (!constants) {
+    return std::nullopt;
+  }
+  Material material = read_constants(*std::move(constants), name);
+  fields.refuse_others();
+  return material;
 }
 
 void read_alpha(const tinygltf::Material& from, const JsonFields& fields, const Limits& limit,
@@ -160,6 +164,7 @@ void read_alpha(const tinygltf::Material& from, const JsonFields& fields, const 
     to.blend = true;
     to.alpha = static_cast<float>(pbr.alpha);
     to.thin = true;
+    to.absorption = glm::vec3(0.0f);
     to.transmission = glm::vec3(1.0f - to.alpha);
     to.fresnel = false;
   } else if (from.alphaMode == "MASK") {
@@ -171,7 +176,82 @@ void read_alpha(const tinygltf::Material& from, const JsonFields& fields, const 
   }
 }
 
-GltfMaterial read_material(GltfDocument& document, std::size_t number) {
+// The textures of one material.
+class Maps {
+ public:
+  Maps(const GltfDocument& document, std::size_t number, std::string place, GltfTextures& textures,
+       CoordinateSets& sets)
+      : document_(document),
+        json_(document.json["materials"][number]),
+        place_(std::move(place)),
+        textures_(textures),
+        sets_(sets) {}
+
+  std::optional<TextureMap> base() {
+    auto factors = own("pbrMetallicRoughness");
+    auto glossy = extension("KHR_materials_pbrSpecularGlossiness");
+    return glossy    ? map(*glossy, "diffuseTexture")
+           : factors ? map(*factors, "baseColorTexture")
+                     : std::nullopt;
+  }
+
+  VaryingPbr others(const Pbr& factors) {
+    VaryingPbr to{.factors = factors};
+    if (auto occlusion = own("occlusionTexture")) {
+      to.occlusion = textures_.map(*occlusion, sets_);
+      to.occlusion_strength = std::clamp(occlusion->number("strength").value_or(1.0), 0.0, 1.0);
+    }
+    if (auto emission = own("emissiveTexture")) {
+      to.emission = textures_.map(*emission, sets_);
+    }
+    if (auto fields = extension("KHR_materials_transmission")) {
+      to.transmission = map(*fields, "transmissionTexture");
+    }
+    if (auto fields = extension("KHR_materials_pbrSpecularGlossiness")) {
+      to.specular_colour = map(*fields, "specularGlossinessTexture");
+      to.glossiness = to.specular_colour;
+      return to;
+    }
+    if (auto fields = own("pbrMetallicRoughness")) {
+      to.metallic_roughness = map(*fields, "metallicRoughnessTexture");
+    }
+    if (auto fields = extension("KHR_materials_specular")) {
+      to.specular = map(*fields, "specularTexture");
+      to.specular_colour = map(*fields, "specularColorTexture");
+    }
+    return to;
+  }
+
+ private:
+  std::optional<JsonFields> own(const char* key) const {
+    return JsonFields(document_.file, place_, "", json_).object(key);
+  }
+
+  std::optional<JsonFields> extension(const char* name) const {
+    return document_.extension(json_, name, place_);
+  }
+
+  std::optional<TextureMap> map(JsonFields& fields, const char* key) {
+    auto info = fields.object(key);
+    return info ? textures_.map(*info, sets_) : std::nullopt;
+  }
+
+  const GltfDocument& document_;
+  const nlohmann::json& json_;
+  std::string place_;
+  GltfTextures& textures_;
+  CoordinateSets& sets_;
+};
+
+// Does any constant vary in more than the base colour that all of it is multiplied with?
+bool varies(const VaryingPbr& pbr, bool base_varies) {
+  const bool base_is_reflected = pbr.factors.metallic > 0.0 || pbr.factors.transmission > 0.0;
+  return pbr.metallic_roughness || pbr.occlusion || pbr.emission || pbr.transmission ||
+         pbr.specular || pbr.specular_colour || (base_varies && base_is_reflected);
+}
+
+GltfMaterial read_material(GltfDocument& document, std::size_t number, bool coloured,
+                           GltfTextures& textures) {
   const tinygltf::Material& from = document.model.materials[number];
   const auto& json = document.json["materials"][number];
   const std::string place = from.name.empty()
@@ -180,30 +260,37 @@ GltfMaterial read_material(GltfDocument& document, std::size_t number) {
   const Limits limit(document.warnings, place);
   Pbr pbr = read_pbr(from, limit);
   read_extensions(document, json, place, limit, pbr);
-  GltfMaterial to;
-  const std::size_t textures = document.model.textures.size();
-  std::optional<JsonFields> texture;
-  if (auto factors = JsonFields(document.file, place, "", json).object("pbrMetallicRoughness")) {
-    texture = factors->object("baseColorTexture");
-  }
   if (auto fields = document.extension(json, "KHR_materials_pbrSpecularGlossiness", place)) {
     read_glossiness(*fields, limit, pbr);
-    texture = fields->object("diffuseTexture");
   }
-  to.material = whitted(pbr);
+  GltfMaterial to{.material = whitted(pbr)};
   to.material.name = from.name;
-  read_alpha(from, JsonFields(document.file, place, "", json), limit, pbr, to.material);
-  if (texture) {
-    read_texture(*texture, textures, to);
+  Maps maps(document, number, place, textures, to.coordinates);
+  to.material.base_texture = maps.base();
+  const auto outright = whitted_extras(document, json, place, from.name);
+  if (outright) {
+    const std::optional<TextureMap> base = to.material.base_texture;
+    to.material = *outright;
+    to.material.base_texture = base;
+    return to;
   }
-  if (const auto extras = json.find("extras"); extras != json.end() && extras->is_object()) {
-    JsonFields fields(document.file, place, "extras", *extras);
-    if (auto constants = fields.object("whitted")) {
-      Material outright;
-      outright.name = from.name;
-      to.material = whitted_extras(*std::move(constants), outright);
-      fields.refuse_others();
+  const bool base_varies = coloured || to.material.base_texture.has_value();
+  if (!pbr.unlit) {
+    VaryingPbr varying = maps.others(pbr);
+    if (varying.metallic_roughness) {
+      // A metal factor of 1, the default, says no more than that the texture tells where metal is.
+      Pbr glass = pbr;
+      glass.metallic = 0.0;
+      to.material.transmission = whitted(glass).transmission;
     }
+    if (varies(varying, base_varies)) {
+      to.material.varying = std::make_shared<const VaryingPbr>(std::move(varying));
+    }
+  }
+  read_alpha(from, JsonFields(document.file, place, "", json), limit, pbr, to.material);
+  // The factor alone would weigh too little where the texture or the vertices have holes.
+  if (to.material.blend && base_varies) {
+    to.material.transmission = glm::vec3(1.0f);
   }
   return to;
 }
@@ -223,20 +310,11 @@ std::vector<bool> with_vertex_colours(const tinygltf::Model& model) {
 
 }  // namespace
 
-std::vector<GltfMaterial> read_materials(GltfDocument& document, std::vector<Texture>& textures,
-                                         LoadBudget& budget) {
+std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures) {
   const std::vector<bool> coloured = with_vertex_colours(document.model);
   std::vector<GltfMaterial> materials;
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
-    materials.push_back(read_material(document, i));
-  }
-  textures = read_textures(document, materials, budget);
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    Material& material = materials[i].material;
-    // The factor alone would weigh too little where the texture or the vertices have holes.
-    if (material.blend && (material.base_texture || coloured[i])) {
-      material.transmission = glm::vec3(1.0f);
-    }
+    materials.push_back(read_material(document, i, coloured[i], textures));
   }
   return materials;
 }

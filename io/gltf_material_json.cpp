@@ -83,7 +83,8 @@ Json material_json(const Material& material, std::vector<std::string>& extension
       warnings.push_back(fmt::format("material '{}': {} is left out", material.name, what));
     }
   };
-  lost(material.base_texture.has_value(), "its texture");
+  lost(material.base_texture.has_value() || material.varying, "its texture");
+  lost(material.absorption != glm::vec3(0.0f), "what it absorbs");
   lost(material.fresnel, "its Fresnel reflection");
   lost(material.thin && material.ior != 1.0f && glm::compMax(material.transmission) > 0.0f,
        "that it is thin");

@@ -1,11 +1,15 @@
 #include "io/gltf_mesh.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "geometry/mesh.hpp"
+#include "io/gltf_accessor.hpp"
 #include "io/gltf_primitive.hpp"
 #include "io/scene_file.hpp"
 
@@ -21,6 +25,17 @@ std::vector<const TriangleMesh*> triangles(const GltfMesh& mesh) {
 }
 
 }  // namespace
+
+MeshShape closed(const GltfMesh& mesh) {
+  TriangleMesh all = joined(triangles(mesh));
+  if (mesh.names) {
+    all.faces.clear();
+    for (const TriangleMesh* primitive : triangles(mesh)) {
+      all.faces.insert(all.faces.end(), primitive->faces.begin(), primitive->faces.end());
+    }
+  }
+  return std::make_shared<const ClosedMesh>(std::move(all));
+}
 
 TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes) {
   TriangleMesh all;
@@ -39,13 +54,15 @@ TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes) {
 }
 
 GltfMeshes::GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
-                       const FaceRule& faces, LoadBudget& budget)
+                       const FaceRule& faces, GltfTextures& textures, LoadBudget& budget)
     : document_(document),
       materials_(materials),
       faces_(faces),
+      textures_(textures),
       budget_(budget),
       meshes_(document.model.meshes.size()),
-      solids_(document.model.meshes.size()) {}
+      solids_(document.model.meshes.size()),
+      checked_(document.model.accessors.size()) {}
 
 const GltfMesh& GltfMeshes::mesh(std::size_t number) {
   if (!meshes_[number]) {
@@ -56,17 +73,35 @@ const GltfMesh& GltfMeshes::mesh(std::size_t number) {
 
 MeshShape GltfMeshes::solid(std::size_t number) {
   if (!solids_[number]) {
-    const GltfMesh& from = mesh(number);
-    TriangleMesh all = joined(triangles(from));
-    if (from.names) {
-      all.faces.clear();
-      for (const TriangleMesh* primitive : triangles(from)) {
-        all.faces.insert(all.faces.end(), primitive->faces.begin(), primitive->faces.end());
-      }
-    }
-    solids_[number] = std::make_shared<const ClosedMesh>(std::move(all));
+    solids_[number] = closed(mesh(number));
   }
   return solids_[number];
+}
+
+// Exporters often get these wrong, by more than rounding. Of normalized integers they are told
+// before they are mapped, and not compared.
+void GltfMeshes::check_bounds(std::size_t accessor) {
+  const auto& of = document_.model.accessors[accessor];
+  if (checked_[accessor] || of.normalized || of.minValues.size() != 3 || of.maxValues.size() != 3) {
+    return;
+  }
+  checked_[accessor] = true;
+  const GltfAccessor values(document_, accessor);
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const glm::dvec3 value(values[i]);
+    low = glm::min(low, value);
+    high = glm::max(high, value);
+  }
+  const glm::dvec3 told_low(of.minValues[0], of.minValues[1], of.minValues[2]);
+  const glm::dvec3 told_high(of.maxValues[0], of.maxValues[1], of.maxValues[2]);
+  constexpr double rounding = 1e-5;
+  const double error = rounding * glm::length(high - low);
+  if (glm::any(glm::greaterThan(glm::abs(low - told_low), glm::dvec3(error))) ||
+      glm::any(glm::greaterThan(glm::abs(high - told_high), glm::dvec3(error)))) {
+    misstated_.push_back(accessor);
+  }
 }
 
 // Other tools may have kept the extras, but not the features that they name.
@@ -97,7 +132,11 @@ GltfMesh GltfMeshes::read(std::size_t number) {
     const GltfMaterial* material =
         from[i].material < 0 ? nullptr : &materials_[static_cast<std::size_t>(from[i].material)];
     auto primitive = read_primitive(document_, number, i, material, faces_,
-                                    mesh.names ? &*mesh.names : nullptr, budget_);
+                                    mesh.names ? &*mesh.names : nullptr, textures_, budget_);
+    if (const auto positions = from[i].attributes.find("POSITION");
+        positions != from[i].attributes.end()) {
+      check_bounds(static_cast<std::size_t>(positions->second));
+    }
     if (primitive && primitive->triangles > 0) {
       mesh.primitives.push_back(*std::move(primitive));
     }

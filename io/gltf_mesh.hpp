@@ -26,7 +26,7 @@ class GltfMeshes {
  public:
   /// Keeps references to all but the rule. `materials` say which texture coordinates to read.
   GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
-             const FaceRule& faces, LoadBudget& budget);
+             const FaceRule& faces, GltfTextures& textures, LoadBudget& budget);
 
   /// Throws `LoadError`.
   const GltfMesh& mesh(std::size_t number);
@@ -34,22 +34,32 @@ class GltfMeshes {
   /// Primitives of points and lines that were met, which have no surface and are not drawn.
   std::size_t undrawn() const noexcept { return undrawn_; }
 
+  /// Accessors of positions that were met whose `min` or `max` is not that of the data.
+  const std::vector<std::size_t>& misstated() const noexcept { return misstated_; }
+
   /// All primitives as one solid with the faces of all. Throws `std::invalid_argument` as
   /// `ClosedMesh` does.
   MeshShape solid(std::size_t number);
 
  private:
+  void check_bounds(std::size_t accessor);
   GltfMesh read(std::size_t number);
   std::optional<FeatureNames> names(std::size_t number);
 
   GltfDocument& document_;
   const std::vector<GltfMaterial>& materials_;
   FaceRule faces_;
+  GltfTextures& textures_;
   LoadBudget& budget_;
   std::vector<std::optional<GltfMesh>> meshes_;
   std::vector<MeshShape> solids_;
   std::size_t undrawn_ = 0;
+  std::vector<bool> checked_;  // which accessors' bounds have been
+  std::vector<std::size_t> misstated_;
 };
+
+/// All primitives of a mesh as one solid. Throws `std::invalid_argument` as `ClosedMesh` does.
+MeshShape closed(const GltfMesh& mesh);
 
 /// Meshes laid side by side in one: the faces of each follow those of the one before.
 TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes);

@@ -41,28 +41,39 @@ class PrimitiveReader {
         path_(fmt::format("primitives[{}]", primitive)) {}
 
   std::optional<GltfPrimitive> read(const GltfMaterial* material, const FaceRule& faces,
-                                    const FeatureNames* names, LoadBudget& budget) {
+                                    const FeatureNames* names, GltfTextures& textures,
+                                    LoadBudget& budget) {
     const auto positions = attribute("POSITION", 3, 3);
     if (!positions) {
       warn("has no positions and is not drawn");
       return std::nullopt;
     }
-    std::vector<std::uint32_t> corners = read_corners(positions->size(), budget);
-    std::vector<std::uint32_t> vertices = renumber(corners, positions->size());
+    CoordinateSets sets = material ? material->coordinates : CoordinateSets();
+    const auto mapped = feature_map(document_, mesh_, primitive_, textures, sets);
     auto mesh = std::make_shared<SurfaceMesh>();
-    mesh->triangles.positions.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      mesh->triangles.positions.emplace_back((*positions)[vertex]);
+    std::vector<std::uint32_t> vertices;
+    std::optional<std::vector<std::uint32_t>> polygons;
+    {
+      const Stopwatch reading(budget.spent().meshes);
+      std::vector<std::uint32_t> corners = read_corners(positions->size(), budget);
+      vertices = renumber(corners, positions->size());
+      mesh->triangles.positions.reserve(vertices.size());
+      for (const std::uint32_t vertex : vertices) {
+        mesh->triangles.positions.emplace_back((*positions)[vertex]);
+      }
+      mesh->triangles.triangles = assemble(std::move(corners));
+      polygons = authored_polygons(document_, mesh_, primitive_, mesh->triangles.triangles);
+      drop_infinite(mesh->triangles, polygons);
+      read_normals(vertices, positions->size(), *mesh);
+      read_coordinates(sets, vertices, positions->size(), *mesh);
+      read_colours(vertices, positions->size(), *mesh);
     }
-    mesh->triangles.triangles = assemble(std::move(corners));
-    auto polygons = authored_polygons(document_, mesh_, primitive_, mesh->triangles.triangles);
-    drop_infinite(mesh->triangles, polygons);
-    read_normals(vertices, positions->size(), *mesh);
-    read_coordinates(material, vertices, positions->size(), *mesh);
-    read_colours(vertices, positions->size(), *mesh);
+    const Stopwatch grouping(budget.spent().faces);
     if (const auto features =
             feature_ids(document_, mesh_, primitive_, vertices, positions->size())) {
       take_features(*features, names, mesh->triangles);
+    } else if (mapped && has_coordinates(*mesh, mapped->map->place)) {
+      take_features(*mapped, *mesh);
     } else if (names != nullptr) {
       fail("extras.raycat: names features, but none can be read");
     } else if (polygons) {
@@ -274,21 +285,24 @@ class PrimitiveReader {
     }
   }
 
-  void read_coordinates(const GltfMaterial* material, const std::vector<std::uint32_t>& vertices,
+  void read_coordinates(const CoordinateSets& sets, const std::vector<std::uint32_t>& vertices,
                         std::size_t count, SurfaceMesh& mesh) const {
-    if (!material || !material->material.base_texture) {
-      return;
+    for (const std::size_t set : sets) {
+      auto& to = mesh.texture_coordinates.emplace_back();
+      const auto coordinates = vertex_attribute(fmt::format("TEXCOORD_{}", set), 2, 2, count);
+      to.reserve(coordinates ? vertices.size() : 0);
+      for (std::size_t i = 0; coordinates && i < vertices.size(); ++i) {
+        to.emplace_back((*coordinates)[vertices[i]]);
+      }
     }
-    const auto name = fmt::format("TEXCOORD_{}", material->coordinates);
-    const auto coordinates = vertex_attribute(name, 2, 2, count);
-    if (!coordinates) {
-      return;
+  }
+
+  bool has_coordinates(const SurfaceMesh& mesh, const TexturePlace& place) const {
+    const bool has = !mesh.texture_coordinates[place.coordinates].empty();
+    if (!has) {
+      warn("EXT_mesh_features: its texture coordinates are missing, and faces are found by angle");
     }
-    mesh.texture_coordinates.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      const glm::dvec2 uv((*coordinates)[vertex]);
-      mesh.texture_coordinates.emplace_back(material->texture_transform * glm::dvec3(uv, 1.0));
-    }
+    return has;
   }
 
   void read_colours(const std::vector<std::uint32_t>& vertices, std::size_t count,
@@ -315,7 +329,7 @@ class PrimitiveReader {
                      TriangleMesh& mesh) const {
     mesh.face_count = features.count;
     for (const glm::uvec3& corners : mesh.triangles) {
-      mesh.faces.push_back(features.of_vertex[corners.x]);
+      mesh.faces.push_back(features.numbers[corners.x]);
     }
     if (names == nullptr) {
       return;
@@ -328,6 +342,19 @@ class PrimitiveReader {
       }
       face = names->faces[face];
       mesh.face_count = std::max(mesh.face_count, face + 1);
+    }
+  }
+
+  // What has to do with whole triangles knows them by their middles.
+  static void take_features(const TexturedFeatures& features, SurfaceMesh& mesh) {
+    mesh.features = features.map;
+    mesh.triangles.face_count = features.count;
+    mesh.triangles.faces.resize(mesh.triangles.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.faces.size(); ++i) {
+      mesh.triangles.faces[i] = MeshPoint{.mesh = mesh,
+                                          .triangle = static_cast<std::uint32_t>(i),
+                                          .barycentric = glm::dvec2(1.0 / 3.0)}
+                                    .face();
     }
   }
 
@@ -371,8 +398,8 @@ class PrimitiveReader {
 std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
                                             std::size_t primitive, const GltfMaterial* material,
                                             const FaceRule& faces, const FeatureNames* names,
-                                            LoadBudget& budget) {
-  return PrimitiveReader(document, mesh, primitive).read(material, faces, names, budget);
+                                            GltfTextures& textures, LoadBudget& budget) {
+  return PrimitiveReader(document, mesh, primitive).read(material, faces, names, textures, budget);
 }
 
 }  // namespace raycat

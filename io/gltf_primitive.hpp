@@ -26,7 +26,8 @@ struct GltfPrimitive {
   std::vector<std::uint32_t> vertices;
 };
 
-/// Reads the triangles of one primitive of a mesh, whose material is `material` or null. Its faces
+/// Reads the triangles of one primitive of a mesh, whose material is `material` or null, with the
+/// texture coordinates that it needs. Its faces
 /// are its features, as `names` tells them if it is not null; without features they are found by
 /// the rule. Takes what it holds from the budget. The primitive must be of triangles.
 /// Nothing if it has no positions; then `document` has a warning more. Triangles with a corner that
@@ -34,6 +35,6 @@ struct GltfPrimitive {
 std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
                                             std::size_t primitive, const GltfMaterial* material,
                                             const FaceRule& faces, const FeatureNames* names,
-                                            LoadBudget& budget);
+                                            GltfTextures& textures, LoadBudget& budget);
 
 }  // namespace raycat

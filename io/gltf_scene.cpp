@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@
 #include "io/gltf_material.hpp"
 #include "io/gltf_mesh.hpp"
 #include "io/gltf_nodes.hpp"
+#include "io/gltf_shapes.hpp"
+#include "io/gltf_textures.hpp"
 #include "io/gltf_view.hpp"
 #include "io/scene_assembly.hpp"
 #include "io/scene_placement.hpp"
@@ -31,8 +34,10 @@ class SceneReader {
         assets_(assets),
         first_(first),
         assembly_(file),
-        materials_(read_materials(document_, assembly_.out.scene.textures, assets.budget())),
-        meshes_(document_, materials_, assets.options().faces, assets.budget()) {
+        textures_(document_, assembly_.out.scene.textures, assets.budget()),
+        materials_(read_materials(document_, textures_)),
+        meshes_(document_, materials_, assets.options().faces, textures_, assets.budget()),
+        colliders_(document_) {
     for (const GltfMaterial& material : materials_) {
       assembly_.out.scene.materials.push_back(material.material);
     }
@@ -62,6 +67,16 @@ class SceneReader {
       document_.warnings.push_back(
           fmt::format("primitives of points or lines, which have no surface, are not drawn: {}",
                       meshes_.undrawn()));
+    }
+    if (hidden_colliders_ > 0) {
+      document_.warnings.push_back(fmt::format(
+          "physics shapes are not drawn where meshes are, nor without a closed form: {}",
+          hidden_colliders_));
+    }
+    if (!meshes_.misstated().empty()) {
+      document_.warnings.push_back(
+          fmt::format("min or max is not that of the data, which count: accessors {}",
+                      fmt::join(meshes_.misstated() | std::views::take(10), ", ")));
     }
     out.warnings.insert(out.warnings.begin(), document_.warnings.begin(), document_.warnings.end());
     return std::move(out);
@@ -103,11 +118,26 @@ class SceneReader {
           read_asset(node, *extras.asset);
         } else if (document_.model.nodes[node].mesh >= 0) {
           read_mesh(node);
+        } else if (colliders_.at(node)) {
+          read_collider(node);
         }
       } catch (const std::invalid_argument& error) {
         throw LoadError(document_.file, document_.node_place(node), error.what());
       }
     }
+  }
+
+  // Shapes of physics are seen where nothing else shows what they stand for.
+  void read_collider(std::size_t node) {
+    auto shape = colliders_.shown(node);
+    if (!shape) {
+      ++hidden_colliders_;
+      return;
+    }
+    assembly_.add_object(document_.node_name(node));
+    TreeAssembly tree;
+    add_leaf(node, *std::move(shape), std::nullopt, tree);
+    add_solid(std::move(tree));
   }
 
   MaterialId material(std::optional<std::size_t> number) {
@@ -129,29 +159,33 @@ class SceneReader {
     if (rest.primitives.empty()) {
       return;
     }
-    const std::string name = document_.node_name(node);
-    const auto groups = instance_groups(document_, node, assets_.budget());
     const std::optional<GltfMesh> moved = posed(node, rest);
-    const GltfMesh& mesh = moved ? *moved : rest;
-    if (from.skin >= 0) {
+    for (const Places& places : places_of(node)) {
+      place_mesh(node, document_.node_name(node) + places.label, moved ? *moved : rest,
+                 places.transforms);
+    }
+  }
+
+  // Where the mesh of a node is; each of these is an object.
+  using Places = GltfInstanceGroup;
+  std::vector<Places> places_of(std::size_t node) {
+    auto groups = instance_groups(document_, node, assets_.budget());
+    if (document_.model.nodes[node].skin >= 0) {
       if (groups) {
         warn(node, "its instances are left out, since its mesh has a skin");
       }
       // A skin's joints say where its mesh is, not its node.
-      place_mesh(node, name, mesh, {glm::dmat4(1.0)});
-      return;
+      return {{.label = "", .transforms = {glm::dmat4(1.0)}}};
     }
     if (!groups) {
-      place_mesh(node, name, mesh, {nodes_.world[node]});
-      return;
+      return {{.label = "", .transforms = {nodes_.world[node]}}};
     }
-    for (const GltfInstanceGroup& group : *groups) {
-      std::vector<glm::dmat4> transforms;
-      for (const glm::dmat4& transform : group.transforms) {
-        transforms.push_back(nodes_.world[node] * transform);
+    for (Places& places : *groups) {
+      for (glm::dmat4& transform : places.transforms) {
+        transform = nodes_.world[node] * transform;
       }
-      place_mesh(node, name + group.label, mesh, transforms);
     }
+    return *std::move(groups);
   }
 
   // What is hidden is in the file all the same.
@@ -261,13 +295,22 @@ class SceneReader {
     if (tree.tree.nodes().size() > 1) {
       assembly_.out.csg_nodes += tree.tree.nodes().size();
     }
+    add_solid(std::move(tree));
+  }
+
+  void add_solid(TreeAssembly tree) {
     assembly_.out.scene.solids.push_back(
         {.solid = Solid(std::move(tree.tree)), .materials = std::move(tree.materials)});
   }
 
   void add_leaf(std::size_t node, Shape shape, std::optional<std::size_t> number,
                 TreeAssembly& tree) {
-    PlacedShape placed(std::move(shape), Affine(nodes_.world[node]));
+    add_leaf(node, std::move(shape), number, nodes_.world[node], tree);
+  }
+
+  void add_leaf(std::size_t node, Shape shape, std::optional<std::size_t> number,
+                const glm::dmat4& world, TreeAssembly& tree) {
+    PlacedShape placed(std::move(shape), Affine(world));
     const SurfaceId first = assembly_.add_primitive(document_.node_name(node), placed.face_count());
     tree.materials.push_back(material(number));
     last_added_ = tree.tree.add(CsgLeaf{.shape = std::move(placed), .first_face = first});
@@ -328,11 +371,7 @@ class SceneReader {
       } else if (frame.extras.asset) {
         frame.operands = read_asset_operands(node, *frame.extras.asset, tree);
       } else if (!frame.extras.csg && document_.model.nodes[node].mesh >= 0) {
-        const auto mesh = static_cast<std::size_t>(document_.model.nodes[node].mesh);
-        const auto& primitives = meshes_.mesh(mesh).primitives;
-        add_leaf(node, meshes_.solid(mesh),
-                 primitives.empty() ? std::nullopt : primitives.front().material, tree);
-        frame.operands.push_back(last_added_);
+        frame.operands = add_mesh_leaves(node, tree);
         return frame;
       }
       warn_of_mesh(node);
@@ -340,6 +379,24 @@ class SceneReader {
       throw LoadError(document_.file, document_.node_place(node), error.what());
     }
     return frame;
+  }
+
+  // The mesh at each of its places, in its pose, as an operand.
+  std::vector<CsgTree::NodeId> add_mesh_leaves(std::size_t node, TreeAssembly& tree) {
+    const auto number = static_cast<std::size_t>(document_.model.nodes[node].mesh);
+    const GltfMesh& rest = meshes_.mesh(number);
+    const std::optional<GltfMesh> moved = posed(node, rest);
+    const MeshShape shape = moved ? closed(*moved) : meshes_.solid(number);
+    const auto material = rest.primitives.empty() ? std::nullopt : rest.primitives.front().material;
+    std::vector<CsgTree::NodeId> operands;
+    for (const Places& places : places_of(node)) {
+      for (const glm::dmat4& place : places.transforms) {
+        assets_.budget().take_instances(document_.file, document_.node_place(node), 1);
+        add_leaf(node, shape, material, place, tree);
+        operands.push_back(last_added_);
+      }
+    }
+    return operands;
   }
 
   // The node in the tree that a glTF node stands for; none for cameras, lights and what only
@@ -421,10 +478,13 @@ class SceneReader {
   GltfAssets& assets_;
   bool first_;  // is this the file that was asked for, rather than one that it places?
   SceneAssembly assembly_;
+  GltfTextures textures_;
   std::vector<GltfMaterial> materials_;
   GltfMeshes meshes_;
+  GltfColliders colliders_;
   GltfNodes nodes_;
   std::vector<bool> in_tree_;  // nodes that a CSG tree above them has taken in
+  std::size_t hidden_colliders_ = 0;
   std::optional<MaterialId> default_material_;
   CsgTree::NodeId last_added_{};
   std::vector<Cut> cuts_;  // of the tree being read

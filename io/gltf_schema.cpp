@@ -17,7 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-enum class Kind { object, array, string, boolean, number, whole, index, numbers };
+// Counts are of what tinygltf keeps in an int, and would narrow in silence.
+enum class Kind { object, array, string, boolean, number, whole, count, index, numbers };
 
 struct Rule {
   std::string_view path;  // steps between dots; [] is each element and * each member
@@ -76,7 +77,7 @@ constexpr auto rules = std::to_array<Rule>({
     {"meshes.[].primitives.[].attributes.*", Kind::index, "accessors"},
     {"meshes.[].primitives.[].indices", Kind::index, "accessors"},
     {"meshes.[].primitives.[].material", Kind::index, "materials"},
-    {"meshes.[].primitives.[].mode", Kind::whole},
+    {"meshes.[].primitives.[].mode", Kind::count},
     {"meshes.[].primitives.[].targets", Kind::array},
     {"meshes.[].primitives.[].targets.[]", Kind::object},
     {"meshes.[].primitives.[].targets.[].*", Kind::index, "accessors"},
@@ -86,19 +87,19 @@ constexpr auto rules = std::to_array<Rule>({
     {"accessors.[]", Kind::object},
     {"accessors.[].bufferView", Kind::index, "bufferViews"},
     {"accessors.[].byteOffset", Kind::whole},
-    {"accessors.[].componentType", Kind::whole, "", 0, required},
+    {"accessors.[].componentType", Kind::count, "", 0, required},
     {"accessors.[].count", Kind::whole, "", 0, required},
     {"accessors.[].type", Kind::string, "", 0, required},
     {"accessors.[].normalized", Kind::boolean},
     {"accessors.[].sparse", Kind::object},
-    {"accessors.[].sparse.count", Kind::whole, "", 0, required},
+    {"accessors.[].sparse.count", Kind::count, "", 0, required},
     {"accessors.[].sparse.indices", Kind::object, "", 0, required},
     {"accessors.[].sparse.indices.bufferView", Kind::index, "bufferViews", 0, required},
-    {"accessors.[].sparse.indices.byteOffset", Kind::whole},
-    {"accessors.[].sparse.indices.componentType", Kind::whole, "", 0, required},
+    {"accessors.[].sparse.indices.byteOffset", Kind::count},
+    {"accessors.[].sparse.indices.componentType", Kind::count, "", 0, required},
     {"accessors.[].sparse.values", Kind::object, "", 0, required},
     {"accessors.[].sparse.values.bufferView", Kind::index, "bufferViews", 0, required},
-    {"accessors.[].sparse.values.byteOffset", Kind::whole},
+    {"accessors.[].sparse.values.byteOffset", Kind::count},
 
     {"bufferViews", Kind::array},
     {"bufferViews.[]", Kind::object},
@@ -147,9 +148,9 @@ constexpr auto rules = std::to_array<Rule>({
     {"images.[].bufferView", Kind::index, "bufferViews"},
     {"samplers", Kind::array},
     {"samplers.[]", Kind::object},
-    {"samplers.[].magFilter", Kind::whole},
-    {"samplers.[].wrapS", Kind::whole},
-    {"samplers.[].wrapT", Kind::whole},
+    {"samplers.[].magFilter", Kind::count},
+    {"samplers.[].wrapS", Kind::count},
+    {"samplers.[].wrapT", Kind::count},
 
     {"cameras", Kind::array},
     {"cameras.[]", Kind::object},
@@ -235,6 +236,9 @@ class Checker {
         return require(value.is_number(), value, "a number");
       case Kind::whole:
         return require(is_whole(value), value, "a whole number from 0");
+      case Kind::count:
+        return require(is_whole(value) && value.get<std::uint64_t>() < std::uint64_t{1} << 31,
+                       value, "a whole number from 0, below 2^31");
       case Kind::index:
         require(is_whole(value), value, "an index");
         if (value.get<std::uint64_t>() >= target_size_) {

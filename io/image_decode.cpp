@@ -12,6 +12,8 @@
 namespace raycat {
 namespace {
 
+constexpr std::size_t webp_header = 30;  // up to the size that the first chunk tells
+
 // OpenImageIO finds the decoder by this name.
 const char* file_name(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view png = "\x89PNG\r\n\x1a\n";
@@ -27,7 +29,38 @@ const char* file_name(std::span<const std::uint8_t> bytes) {
   if (starts_with(jpeg)) {
     return "image.jpg";
   }
-  throw std::runtime_error("neither PNG nor JPEG");
+  if (starts_with("RIFF") && bytes.size() >= webp_header &&
+      std::ranges::equal(bytes.subspan(8, 4), std::string_view("WEBP"))) {
+    return "image.webp";
+  }
+  throw std::runtime_error("neither PNG, JPEG nor WebP");
+}
+
+// The pixels that a WebP says it has, in its first chunk: OpenImageIO makes room for them as soon
+// as it opens the file.
+std::uint64_t webp_pixels(std::span<const std::uint8_t> bytes) {
+  const auto number = [&](std::size_t at, std::size_t size) {
+    std::uint64_t value = 0;
+    for (std::size_t i = size; i-- > 0;) {
+      value = value << 8 | bytes[at + i];
+    }
+    return value;
+  };
+  constexpr std::uint64_t fourteen_bits = 0x3fff;
+  switch (bytes[15]) {
+    case 'X':  // the canvas, less 1, in 24 bits each
+      return (number(24, 3) + 1) * (number(27, 3) + 1);
+    case 'L':  // after a signature, less 1, in 14 bits each
+      return ((number(21, 4) & fourteen_bits) + 1) * ((number(21, 4) >> 14 & fourteen_bits) + 1);
+    default:  // after a start code, in 14 bits each
+      return (number(26, 2) & fourteen_bits) * (number(28, 2) & fourteen_bits);
+  }
+}
+
+void require_few(std::uint64_t pixels, std::uint64_t most, const std::string& size) {
+  if (pixels > most) {
+    throw std::runtime_error(fmt::format("{} pixels are more than the {} allowed", size, most));
+  }
 }
 
 // Throws unless every chunk is there to its end: where a PNG breaks off, libpng prints a line of
@@ -88,6 +121,11 @@ DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max
   if (std::string_view(name) == "image.png") {
     require_whole_png(bytes);
   }
+  if (std::string_view(name) == "image.webp") {
+    const std::uint64_t pixels = webp_pixels(bytes);
+    require_few(pixels, max_pixels, fmt::format("{}", pixels));
+    reserve(4 * pixels);
+  }
   OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
   OIIO::ImageSpec config;
   config["oiio:UnassociatedAlpha"] = 1;
@@ -104,10 +142,7 @@ DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max
   }
   const auto count =
       static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
-  if (count > max_pixels) {
-    throw std::runtime_error(fmt::format("{} x {} pixels are more than the {} allowed", spec.width,
-                                         spec.height, max_pixels));
-  }
+  require_few(count, max_pixels, fmt::format("{} x {}", spec.width, spec.height));
   reserve(4 * count);
   const auto channels = static_cast<std::size_t>(std::min(spec.nchannels, 4));
   std::vector<std::uint8_t> pixels(count * channels);

@@ -14,9 +14,9 @@ struct DecodedImage {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Decodes a PNG or JPEG, told by its content. Throws `std::runtime_error` with the reason if it
-/// is neither, broken, or has more than `max_pixels`, which is checked before it is decoded. Tells
-/// `reserve` how many bytes it will hold, before it makes room for them.
+/// Decodes a PNG, JPEG or WebP, told by its content. Throws `std::runtime_error` with the reason if
+/// it is neither, broken, or has more than `max_pixels`, which is checked before it is decoded.
+/// Tells `reserve` how many bytes it will hold, before it makes room for them.
 DecodedImage decode_image(
     std::span<const std::uint8_t> bytes, std::uint64_t max_pixels,
     const std::function<void(std::uint64_t bytes)>& reserve = [](std::uint64_t) {});

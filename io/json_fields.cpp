@@ -178,6 +178,14 @@ std::optional<JsonFields> JsonFields::object(std::string_view key) {
                     path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key), *value);
 }
 
+const nlohmann::json* JsonFields::array(std::string_view key) {
+  const json* value = find(key);
+  if (value != nullptr && !value->is_array()) {
+    fail_type(key, "an array", *value);
+  }
+  return value;
+}
+
 std::string JsonFields::type() {
   const auto type = object_->find("type");
   if (type == object_->end()) {

@@ -42,6 +42,7 @@ class JsonFields {
   /// An object's members, all whole numbers; none if it is absent.
   std::vector<std::pair<std::string, std::uint64_t>> whole_numbers(std::string_view key);
   std::optional<JsonFields> object(std::string_view key);
+  const nlohmann::json* array(std::string_view key);  ///< null if it is absent
 
   /// The string `type`, which must be there. Messages do not list it among the expected keys.
   std::string type();

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "io/load_seconds.hpp"
+
 namespace raycat {
 
 /// Half of this machine's memory, in bytes.
@@ -38,12 +40,16 @@ class LoadBudget {
   void take_triangles(const std::filesystem::path& file, const std::string& place,
                       std::uint64_t count);
 
+  /// The time that has been taken so far, which has no limit.
+  LoadSeconds& spent() noexcept { return spent_; }
+
   /// Of one file alone.
   void check_nodes(const std::filesystem::path& file, std::uint64_t count) const;
 
  private:
   LoadLimits limits_;
   LoadLimits left_;
+  LoadSeconds spent_;
 };
 
 }  // namespace raycat

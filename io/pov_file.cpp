@@ -167,8 +167,11 @@ std::vector<std::string> left_out(const Scene& scene) {
     }
   };
   add_if(std::ranges::any_of(scene.materials,
-                             [](const Material& m) { return m.base_texture.has_value(); }),
+                             [](const Material& m) { return m.base_texture || m.varying; }),
          "image textures");
+  add_if(std::ranges::any_of(scene.materials,
+                             [](const Material& m) { return m.absorption != glm::vec3(0.0f); }),
+         "what volumes absorb");
   add_if(
       std::ranges::any_of(scene.materials, [](const Material& m) { return m.alpha_cutoff > 0.0f; }),
       "alpha masks");

@@ -45,6 +45,7 @@ struct SceneFile {
   std::uint64_t csg_nodes = 0;          ///< leaves and operations, of trees with an operation
   std::vector<std::string> extensions;  ///< that the file says it uses
   std::vector<std::string> warnings;    ///< one line each
+  std::optional<LoadSeconds> seconds;   ///< that a glTF file took to read
 };
 
 /// Reads a scene file, its kind told by content and extension: glTF 2.0 (.gltf, .glb), OpenSCAD

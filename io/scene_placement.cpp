@@ -148,10 +148,21 @@ CsgTree::NodeId add_meshes(const Scene& part, std::span<const MeshInstance* cons
 std::uint32_t add_materials(const Scene& part, Scene& to) {
   const auto first = static_cast<std::uint32_t>(to.materials.size());
   const auto first_texture = static_cast<std::uint32_t>(to.textures.size());
+  const auto move = [&](std::optional<TextureMap>& map) {
+    if (map) {
+      map->texture = TextureId{first_texture + static_cast<std::uint32_t>(map->texture)};
+    }
+  };
   for (Material material : part.materials) {
-    if (material.base_texture) {
-      material.base_texture =
-          TextureId{first_texture + static_cast<std::uint32_t>(*material.base_texture)};
+    move(material.base_texture);
+    if (material.varying) {
+      VaryingPbr varying = *material.varying;
+      for (auto* map : {&varying.metallic_roughness, &varying.occlusion, &varying.emission,
+                        &varying.transmission, &varying.specular, &varying.specular_colour,
+                        &varying.glossiness}) {
+        move(*map);
+      }
+      material.varying = std::make_shared<const VaryingPbr>(std::move(varying));
     }
     to.materials.push_back(std::move(material));
   }

@@ -9,10 +9,12 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtx/component_wise.hpp>
 
 #include "geometry/line_clip.hpp"
+#include "tracer/material_at.hpp"
 
 namespace raycat {
 namespace {
@@ -38,6 +40,13 @@ Triangle corners(const MeshInstance& instance, std::uint32_t triangle) {
   return {.a = mesh.positions[i.x], .b = mesh.positions[i.y], .c = mesh.positions[i.z]};
 }
 
+// Does the ray meet the triangle from outside?
+bool faces(const MeshInstance& instance, std::uint32_t triangle, const Ray& ray) {
+  const Triangle local = corners(instance, triangle);
+  const glm::dvec3 normal = glm::cross(local.b - local.a, local.c - local.a);
+  return glm::dot(normal, instance.transform.to_local(ray).direction) < 0.0;
+}
+
 double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
 
 // One ray under way through Embree. The context comes first, so that callbacks find the rest.
@@ -55,6 +64,17 @@ struct Query {
   Boundary boundary;
 
   glm::vec3 light{1.0f};  // what has passed so far
+
+  // What is absorbed on the way: the absorption of each stretch inside times its length. Boundaries
+  // come in any order, so each adds its own part; `open` is what the ray ends inside of.
+  glm::dvec3 depth{0.0};
+  glm::dvec3 open{0.0};
+
+  void cross(const glm::vec3& absorption, bool entering, double t) {
+    const glm::dvec3 more = entering ? glm::dvec3(absorption) : -glm::dvec3(absorption);
+    open += more;
+    depth -= t * more;
+  }
 
   // Where it has passed through meshes. Embree may report both triangles at an edge.
   struct Passage {
@@ -80,8 +100,8 @@ bool try_closest(const SolidObject& object, Query& query) {
   return true;
 }
 
-glm::vec3 transmission_of(const Scene& scene, MaterialId material) {
-  return transmission(scene.materials[static_cast<std::size_t>(material)], glm::vec4(1.0f));
+const Material& material_of(const Scene& scene, MaterialId id) {
+  return scene.materials[static_cast<std::size_t>(id)];
 }
 
 // Weakens the light by the solid's boundaries before `query.t_end`; false if none is left.
@@ -89,12 +109,29 @@ bool let_through(const SolidObject& object, const Scene& scene, Query& query) {
   const Solid& solid = object.solid;
   for (auto met = solid.first(*query.ray, 0.0, query.t_end, *query.scratch); met;
        met = solid.next(*query.scratch)) {
-    query.light *= transmission_of(scene, object.materials[met->leaf]);
+    const Material& material = material_of(scene, object.materials[met->leaf]);
+    query.light *= material.transmission;
+    if (material.absorption != glm::vec3(0.0f)) {
+      query.cross(material.absorption, met->entering, met->t);
+    }
     if (query.light == glm::vec3(0.0f)) {
       return false;
     }
   }
   return true;
+}
+
+// What is left of light that has gone the whole way, beside what surfaces let through. A ray that
+// starts inside of something is `open` by less than nothing, and has the way to its end counted.
+glm::vec3 absorbed(const Query& query) {
+  if (query.depth == glm::dvec3(0.0) && query.open == glm::dvec3(0.0)) {
+    return glm::vec3(1.0f);
+  }
+  glm::dvec3 depth = query.depth;
+  for (int c = 0; c < 3; ++c) {
+    depth[c] += query.open[c] > 0.0 ? query.open[c] * query.t_end : 0.0;
+  }
+  return glm::vec3(glm::exp(-glm::max(depth, 0.0) * glm::length(query.ray->direction)));
 }
 
 }  // namespace
@@ -159,25 +196,28 @@ void solid_occluded(const RTCOccludedFunctionNArguments* args) {
   }
 }
 
-glm::vec4 base_of(const RTCFilterFunctionNArguments* args) {
-  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
-  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
-  return base_colour(index.scene, index.scene.meshes[hit.geomID], hit.primID, {hit.u, hit.v});
-}
+// The triangle that a filter is asked about.
+struct Filtered {
+  explicit Filtered(const RTCFilterFunctionNArguments* args)
+      : index(*static_cast<const Accel::Index*>(args->geometryUserPtr)),
+        hit(*reinterpret_cast<const RTCHit*>(args->hit)),
+        instance(index.scene.meshes[hit.geomID]),
+        material(material_of(index.scene, instance.material)),
+        point{.mesh = *instance.mesh, .triangle = hit.primID, .barycentric = {hit.u, hit.v}},
+        base(base_colour(index.scene, material, point)) {}
 
-const Material& material_of(const RTCFilterFunctionNArguments* args) {
-  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
-  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
-  const MaterialId id = index.scene.meshes[hit.geomID].material;
-  return index.scene.materials[static_cast<std::size_t>(id)];
-}
+  bool masked() const { return material.alpha * base.a < material.alpha_cutoff; }
 
-bool masked(const Material& material, const glm::vec4& base) {
-  return material.alpha * base.a < material.alpha_cutoff;
-}
+  const Accel::Index& index;
+  const RTCHit& hit;
+  const MeshInstance& instance;
+  const Material& material;
+  MeshPoint point;
+  glm::vec4 base;
+};
 
 void mask_filter(const RTCFilterFunctionNArguments* args) {
-  if (masked(material_of(args), base_of(args))) {
+  if (Filtered(args).masked()) {
     *args->valid = 0;
   }
 }
@@ -200,11 +240,15 @@ bool first_of_passage(const RTCFilterFunctionNArguments* args, Query& query) {
 }
 
 void light_filter(const RTCFilterFunctionNArguments* args) {
-  const Material& material = material_of(args);
-  const glm::vec4 base = base_of(args);
+  const Filtered met(args);
   Query& query = query_of(args->context);
-  if (!masked(material, base) && first_of_passage(args, query)) {
-    query.light *= transmission(material, base);
+  if (!met.masked() && first_of_passage(args, query)) {
+    query.light *= transmission(met.index.scene, met.material, met.point, met.base);
+    if (met.material.absorption != glm::vec3(0.0f)) {
+      const float t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
+      query.cross(met.material.absorption, faces(met.instance, met.hit.primID, *query.ray),
+                  query.start + static_cast<double>(t));
+    }
   }
   if (query.light != glm::vec3(0.0f)) {
     *args->valid = 0;
@@ -256,7 +300,7 @@ void Accel::Index::add_mesh(const MeshInstance& instance) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.triangles.data(), 0, sizeof(glm::uvec3), mesh.triangles.size());
   rtcSetGeometryUserData(geometry, this);
-  const Material& material = scene.materials[static_cast<std::size_t>(instance.material)];
+  const Material& material = material_of(scene, instance.material);
   if (material.alpha_cutoff > 0.0f) {
     rtcSetGeometryIntersectFilterFunction(geometry, mask_filter);
   }
@@ -319,16 +363,18 @@ Hit Accel::Index::mesh_hit(const Ray& ray, const RTCRayHit& found) const {
   const double facing = glm::dot(normal, local.direction);
   const double inverse = 1.0 / facing;
   const glm::dvec3 turn = glm::cross(from, local.direction);
-  const std::uint32_t face = instance.mesh->triangles.faces[found.hit.primID];
+  const glm::dvec2 barycentric(glm::clamp(glm::dot(ac, turn) * -inverse, 0.0, 1.0),
+                               glm::clamp(glm::dot(ab, turn) * inverse, 0.0, 1.0));
+  const MeshPoint point{
+      .mesh = *instance.mesh, .triangle = found.hit.primID, .barycentric = barycentric};
   return {.t = -glm::dot(normal, from) / facing,
-          .surface = SurfaceId{static_cast<std::uint32_t>(instance.first_face) + face},
+          .surface = SurfaceId{static_cast<std::uint32_t>(instance.first_face) + point.face()},
           .material = instance.material,
           .entering = facing < 0.0,
           .normal = instance.transform.normal(normal),
           .mesh = &instance,
           .triangle = found.hit.primID,
-          .barycentric = {glm::clamp(glm::dot(ac, turn) * -inverse, 0.0, 1.0),
-                          glm::clamp(glm::dot(ab, turn) * inverse, 0.0, 1.0)}};
+          .barycentric = barycentric};
 }
 
 Accel::Accel(const Scene& scene) : scene_(scene), index_(std::make_unique<Index>(scene)) {
@@ -402,7 +448,7 @@ glm::vec3 Accel::transmittance(const Ray& ray, double t_end, Solid::Scratch& scr
       return glm::vec3(0.0f);
     }
   }
-  return query.light;
+  return query.light * absorbed(query);
 }
 
 glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal) const {
@@ -417,32 +463,6 @@ glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal
     scale = std::max(scale, greatest(hit.mesh->transform.point(corner) - index_->centre));
   }
   return point + 4 * float_ulp * scale * normal;
-}
-
-glm::vec4 base_colour(const Scene& scene, const MeshInstance& mesh, std::uint32_t triangle,
-                      const glm::dvec2& barycentric) {
-  const SurfaceMesh& surface = *mesh.mesh;
-  const glm::uvec3 i = surface.triangles.triangles[triangle];
-  const auto v = glm::vec2(barycentric);
-  const glm::vec3 weight(1.0f - v.x - v.y, v.x, v.y);
-  glm::vec4 base(1.0f);
-  if (!surface.colours.empty()) {
-    base = weight.x * surface.colours[i.x] + weight.y * surface.colours[i.y] +
-           weight.z * surface.colours[i.z];
-  }
-  const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-  if (material.base_texture && !surface.texture_coordinates.empty()) {
-    const glm::vec2 uv = weight.x * surface.texture_coordinates[i.x] +
-                         weight.y * surface.texture_coordinates[i.y] +
-                         weight.z * surface.texture_coordinates[i.z];
-    base *= scene.textures[static_cast<std::size_t>(*material.base_texture)].sample(uv);
-  }
-  return base;
-}
-
-glm::vec3 transmission(const Material& material, const glm::vec4& base) {
-  return material.blend ? glm::vec3(1.0f - glm::min(1.0f, material.alpha * base.a))
-                        : material.transmission;
 }
 
 }  // namespace raycat

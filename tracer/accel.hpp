@@ -57,12 +57,4 @@ class Accel {
   std::unique_ptr<Index> index_;
 };
 
-/// The material's base texture and the vertices' colour at a hit, linear RGBA: what the base
-/// colour factors are multiplied with.
-glm::vec4 base_colour(const Scene& scene, const MeshInstance& mesh, std::uint32_t triangle,
-                      const glm::dvec2& barycentric);
-
-/// The part of the light that a material lets through at a point of base colour `base`.
-glm::vec3 transmission(const Material& material, const glm::vec4& base);
-
 }  // namespace raycat

@@ -4,13 +4,15 @@
 #include <cassert>
 #include <cstddef>
 
+#include <glm/vec3.hpp>
+
 #include "geometry/surface_table.hpp"
 #include "tracer/ray_tree.hpp"
 
 namespace raycat {
 
 /// The transparent objects that a ray is inside of, the innermost last: nested dielectrics, told
-/// by where rays enter and leave. Around all of them is the air, of index 1.
+/// by where rays enter and leave. Around all of them is the air, of index 1, which absorbs nothing.
 class Media {
  public:
   Media() = default;
@@ -26,11 +28,18 @@ class Media {
   /// Index of refraction of what the ray travels in.
   float ior() const noexcept { return count_ == 0 ? 1.0f : inside_[count_ - 1].ior; }
 
+  /// Of what the ray travels in: light that goes a distance d is times exp(-absorption d).
+  const glm::vec3& absorption() const noexcept {
+    static constexpr glm::vec3 none(0.0f);
+    return count_ == 0 ? none : inside_[count_ - 1].absorption;
+  }
+
   /// With the ray gone into `object`.
-  Media entered(ObjectId object, float ior) const noexcept {
+  Media entered(ObjectId object, float ior,
+                const glm::vec3& absorption = glm::vec3(0.0f)) const noexcept {
     assert(count_ < inside_.size());
     Media media(*this);
-    media.inside_[media.count_++] = {.object = object, .ior = ior};
+    media.inside_[media.count_++] = {.object = object, .ior = ior, .absorption = absorption};
     return media;
   }
 
@@ -54,6 +63,7 @@ class Media {
   struct Inside {
     ObjectId object;
     float ior;
+    glm::vec3 absorption;
   };
 
   std::size_t count_ = 0;

@@ -4,28 +4,18 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include "csg/solid.hpp"
-#include "geometry/mesh.hpp"
 #include "geometry/placed_shape.hpp"
 #include "geometry/surface_table.hpp"
 #include "tracer/camera.hpp"
 #include "tracer/light.hpp"
 #include "tracer/material.hpp"
+#include "tracer/surface_mesh.hpp"
 #include "tracer/texture.hpp"
 
 namespace raycat {
-
-/// Triangles with what shading needs. Attributes are per vertex, or absent.
-struct SurfaceMesh {
-  TriangleMesh triangles;
-  std::vector<glm::vec3> normals;
-  std::vector<glm::vec2> texture_coordinates;  ///< of the base texture, its transform applied
-  std::vector<glm::vec4> colours;              ///< linear
-};
 
 /// A mesh that is seen as it is, open or closed: one glTF primitive placed by one node.
 struct MeshInstance {

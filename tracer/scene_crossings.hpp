@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/triangle_index.hpp"
 #include "tracer/scene.hpp"
 
 namespace raycat {
@@ -27,8 +26,10 @@ class SceneCrossings {
   void cross(const Ray& ray, Solid::Scratch& scratch, std::vector<SceneCrossing>& out) const;
 
  private:
+  struct Indexed;
+
   const Scene& scene_;
-  std::vector<std::shared_ptr<const TriangleIndex>> meshes_;  // one an instance
+  std::vector<std::shared_ptr<const Indexed>> meshes_;  // one an instance
 };
 
 }  // namespace raycat

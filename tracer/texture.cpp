@@ -21,63 +21,48 @@ std::array<float, 256> decoded() {
   return table;
 }
 
-std::int64_t wrapped(std::int64_t i, std::int64_t size, Wrap wrap) {
-  switch (wrap) {
-    case Wrap::clamp:
-      return glm::clamp<std::int64_t>(i, 0, size - 1);
-    case Wrap::mirror: {
-      const std::int64_t k = ((i % (2 * size)) + 2 * size) % (2 * size);
-      return k < size ? k : 2 * size - 1 - k;
-    }
-    case Wrap::repeat:
-      break;
-  }
-  return ((i % size) + size) % size;
-}
-
 }  // namespace
 
 Texture::Texture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> rgba,
                  Wrap wrap_s, Wrap wrap_t, bool nearest)
-    : width_(width),
-      height_(height),
+    : grid_{.width = width, .height = height, .wrap_s = wrap_s, .wrap_t = wrap_t},
       rgba_(std::move(rgba)),
-      wrap_s_(wrap_s),
-      wrap_t_(wrap_t),
       nearest_(nearest) {
-  if (width_ == 0 || height_ == 0 || rgba_.size() != std::size_t{4} * width_ * height_) {
-    throw std::invalid_argument(fmt::format("a texture of {}x{} needs {} bytes, but has {}", width_,
-                                            height_, std::size_t{4} * width_ * height_,
-                                            rgba_.size()));
+  if (width == 0 || height == 0 || rgba_.size() != std::size_t{4} * width * height) {
+    throw std::invalid_argument(fmt::format("a texture of {}x{} needs {} bytes, but has {}", width,
+                                            height, std::size_t{4} * width * height, rgba_.size()));
   }
 }
 
-glm::vec4 Texture::texel(std::int64_t x, std::int64_t y) const {
-  static const std::array<float, 256> linear = decoded();
-  const auto column = static_cast<std::size_t>(wrapped(x, width_, wrap_s_));
-  const auto row = static_cast<std::size_t>(wrapped(y, height_, wrap_t_));
-  const std::uint8_t* p = rgba_.data() + 4 * (row * width_ + column);
-  return {linear[p[0]], linear[p[1]], linear[p[2]], static_cast<float>(p[3]) / 255.0f};
-}
-
-glm::vec4 Texture::sample(const glm::dvec2& uv) const {
-  // Far enough out, coordinates have no fraction left and their texel no place in an int64.
-  constexpr double farthest = 1e9;
-  if (!(std::abs(uv.x) < farthest) || !(std::abs(uv.y) < farthest)) {
-    return texel(0, 0);
+template <class Decode>
+glm::vec4 Texture::interpolated(const glm::dvec2& uv, Decode decode) const {
+  const std::uint8_t* texels = rgba_.data();
+  if (nearest_ || !has_texel(uv)) {
+    return decode(texels + 4 * grid_.nearest(uv));
   }
-  if (nearest_) {
-    return texel(static_cast<std::int64_t>(std::floor(uv.x * width_)),
-                 static_cast<std::int64_t>(std::floor(uv.y * height_)));
-  }
-  const double x = uv.x * width_ - 0.5;
-  const double y = uv.y * height_ - 0.5;
+  const double x = uv.x * grid_.width - 0.5;
+  const double y = uv.y * grid_.height - 0.5;
   const auto left = static_cast<std::int64_t>(std::floor(x));
   const auto top = static_cast<std::int64_t>(std::floor(y));
   const auto fx = static_cast<float>(x - std::floor(x));
   const auto fy = static_cast<float>(y - std::floor(y));
-  return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), fx),
-                  glm::mix(texel(left, top + 1), texel(left + 1, top + 1), fx), fy);
+  const auto at = [&](std::int64_t column, std::int64_t row) {
+    return decode(texels + 4 * grid_.texel(column, row));
+  };
+  return glm::mix(glm::mix(at(left, top), at(left + 1, top), fx),
+                  glm::mix(at(left, top + 1), at(left + 1, top + 1), fx), fy);
+}
+
+glm::vec4 Texture::sample(const glm::dvec2& uv) const {
+  return interpolated(uv, [](const std::uint8_t* p) {
+    static const std::array<float, 256> linear = decoded();
+    return glm::vec4(linear[p[0]], linear[p[1]], linear[p[2]], static_cast<float>(p[3]) / 255.0f);
+  });
+}
+
+glm::vec4 Texture::sample_numbers(const glm::dvec2& uv) const {
+  return interpolated(
+      uv, [](const std::uint8_t* p) { return glm::vec4(p[0], p[1], p[2], p[3]) / 255.0f; });
 }
 
 }  // namespace raycat

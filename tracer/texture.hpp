@@ -6,13 +6,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "tracer/texel_grid.hpp"
+
 namespace raycat {
 
-/// What lies beyond the edge of a texture, as glTF samplers have it.
-enum class Wrap { repeat, clamp, mirror };
-
-/// An image on a surface: 8-bit RGBA in row order from the top left, colour in sRGB, alpha
-/// linear, straight (not premultiplied).
+/// An image on a surface: 8-bit RGBA, straight (not premultiplied).
 class Texture {
  public:
   /// Throws `std::invalid_argument` unless both sizes are positive and `rgba` holds
@@ -20,18 +18,19 @@ class Texture {
   Texture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> rgba,
           Wrap wrap_s = Wrap::repeat, Wrap wrap_t = Wrap::repeat, bool nearest = false);
 
-  /// Linear RGBA at glTF texture coordinates, (0, 0) at the top left; bilinear in linear light.
-  /// Coordinates that are not finite give the first texel.
+  /// Of an image whose colours are sRGB and whose alpha is linear: linear RGBA at glTF texture
+  /// coordinates; bilinear in linear light. The first texel where they are not finite.
   glm::vec4 sample(const glm::dvec2& uv) const;
 
- private:
-  glm::vec4 texel(std::int64_t x, std::int64_t y) const;
+  /// Of an image that holds numbers instead of colours: these, from 0 to 1, likewise.
+  glm::vec4 sample_numbers(const glm::dvec2& uv) const;
 
-  std::uint32_t width_;
-  std::uint32_t height_;
+ private:
+  template <class Decode>
+  glm::vec4 interpolated(const glm::dvec2& uv, Decode decode) const;
+
+  TexelGrid grid_;
   std::vector<std::uint8_t> rgba_;
-  Wrap wrap_s_;
-  Wrap wrap_t_;
   bool nearest_;
 };
 

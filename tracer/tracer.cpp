@@ -5,15 +5,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtx/component_wise.hpp>
 
+#include "tracer/material_at.hpp"
+
 namespace raycat {
 namespace {
 
 const glm::vec3 black(0.0f);
-
-glm::vec4 base_at(const Scene& scene, const Hit& hit) {
-  return hit.mesh == nullptr ? glm::vec4(1.0f)
-                             : base_colour(scene, *hit.mesh, hit.triangle, hit.barycentric);
-}
 
 // The interpolated normal where the mesh has normals; it can fail to be one, and then the
 // triangle's own serves.
@@ -90,9 +87,14 @@ class Shader {
         material_(scene_.materials[static_cast<std::size_t>(hit.material)]),
         ray_(ray),
         hit_(hit),
-        base_(base_at(scene_, hit)),
         way_(glm::normalize(ray.direction)),
         scratch_(scratch) {
+    if (hit.mesh != nullptr) {
+      base_ = base_colour(scene_, material_, point());
+      if (material_.varying) {
+        varied_ = material_at(scene_, *material_.varying, point(), base_);
+      }
+    }
     // Towards the side the surface is seen from.
     side_ = glm::dot(hit.normal, ray.direction) > 0.0 ? -1.0 : 1.0;
     facet_ = side_ * hit.normal;
@@ -104,9 +106,10 @@ class Shader {
   }
 
   void light(Shading& out) {
-    const glm::vec3 base(base_);
+    // What varies has been made of the base colour already.
+    const glm::vec3 base = varied_ ? glm::vec3(1.0f) : glm::vec3(base_);
     const glm::vec3 tint = material_.textured_emission ? base : glm::vec3(1.0f);
-    out.colour = material_.emission * tint + material_.ambient * base * scene_.ambient_light;
+    out.colour = here().emission * tint + here().ambient * base * scene_.ambient_light;
     if (!scene_.lights.empty()) {
       lift();
     }
@@ -123,7 +126,7 @@ class Shader {
   void spawn(const Media& media, Shading& out) {
     const bool transmits =
         material_.blend ? material_.alpha < 1.0f || !untextured() : material_.transmission != black;
-    out.k_s = material_.reflection;
+    out.k_s = material_.reflection == black ? black : here().reflection;
     out.reflection_weight = glm::compMax(material_.reflection);
     bool total = false;
     double cosine = -glm::dot(way_, normal_);
@@ -132,11 +135,11 @@ class Shader {
     }
     if (material_.fresnel && !total) {
       const float growth = schlick(cosine);
-      out.k_s += (material_.grazing_reflection - out.k_s) * growth;
+      out.k_s += (here().grazing_reflection - out.k_s) * growth;
       out.k_t *= 1.0f - growth;
     }
     if (total) {
-      out.k_s += material_.transmission;
+      out.k_s += here().transmission;
       out.reflection_weight = glm::compMax(material_.reflection + material_.transmission);
     }
     if (material_.reflection != black || total) {
@@ -145,6 +148,13 @@ class Shader {
   }
 
  private:
+  /// The constants here. What exists and what does not, the material's factors say.
+  const Material& here() const { return varied_ ? *varied_ : material_; }
+
+  MeshPoint point() const {
+    return {.mesh = *hit_.mesh->mesh, .triangle = hit_.triangle, .barycentric = hit_.barycentric};
+  }
+
   // Where normals are interpolated, shadow rays start on the smooth surface that they stand for,
   // not within the triangle: else the line where light ends would follow the triangles (Hanika,
   // "Hacking the Shadow Terminator", Ray Tracing Gems II).
@@ -187,11 +197,11 @@ class Shader {
       return false;
     }
     const glm::vec3 arriving = at.strength * passed;
-    colour += material_.diffuse * base * light.diffuse * arriving * static_cast<float>(facing);
-    if (material_.specular != black) {
+    colour += here().diffuse * base * light.diffuse * arriving * static_cast<float>(facing);
+    if (here().specular != black) {
       const double halfway = glm::dot(normal_, glm::normalize(at.way - way_));
-      colour += material_.specular * light.specular * arriving *
-                std::pow(static_cast<float>(glm::max(halfway, 0.0)), material_.shininess);
+      colour += here().specular * light.specular * arriving *
+                std::pow(static_cast<float>(glm::max(halfway, 0.0)), here().shininess);
     }
     return true;
   }
@@ -199,7 +209,8 @@ class Shader {
   // Makes the refracted ray by Snell's law and sets `cosine` to that of the angle on the thinner
   // side; false on total internal reflection.
   bool refract(const Media& media, double& cosine, Shading& out) {
-    out.k_t = transmission(material_, base_);
+    out.k_t = hit_.mesh == nullptr ? material_.transmission
+                                   : transmission(scene_, material_, point(), base_);
     out.refraction_weight = material_.blend && untextured() ? glm::compMax(out.k_t)
                                                             : glm::compMax(material_.transmission);
     const glm::dvec3 far = accel_.leave(ray_, hit_, -facet_);
@@ -209,7 +220,8 @@ class Shader {
       return true;
     }
     const ObjectId object = scene_.surfaces.object(hit_.surface);
-    out.media = hit_.entering ? media.entered(object, material_.ior) : media.left(object);
+    out.media = hit_.entering ? media.entered(object, material_.ior, material_.absorption)
+                              : media.left(object);
     // A ray that leaves an object it started in has been in its material all the way.
     const double from = hit_.entering ? media.ior() : material_.ior;
     const double to = hit_.entering ? material_.ior : out.media.ior();
@@ -246,7 +258,8 @@ class Shader {
   const Material& material_;
   const Ray& ray_;
   const Hit& hit_;
-  glm::vec4 base_;
+  glm::vec4 base_{1.0f};
+  std::optional<Material> varied_;
   glm::dvec3 way_;     // unit, along the ray
   glm::dvec3 facet_;   // unit, the surface's own normal
   glm::dvec3 normal_;  // unit, for shading

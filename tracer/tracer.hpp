@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "tracer/accel.hpp"
@@ -82,6 +84,10 @@ class Branch {
       ++scratch_.rays.reflection;
       colour += shading.k_s * trace(*shading.reflection, media, reflected(position),
                                     weight * shading.reflection_weight);
+    }
+    if (media.absorption() != glm::vec3(0.0f)) {
+      const double distance = hit->t * glm::length(ray.direction);
+      colour *= glm::exp(-static_cast<float>(distance) * media.absorption());
     }
     recorder_.push_back({.position = position,
                          .lights = shading.lights,

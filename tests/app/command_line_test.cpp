@@ -35,6 +35,7 @@ TEST_CASE("render writes every map of one pass and says what it did", "[app][ren
   CHECK(stats["samples"]["category_only"] == 96 + 64 + 1);
   CHECK(stats["rays"]["camera"] == 97 * 65);
   CHECK(stats["seconds"]["trace"] > 0.0);
+  CHECK(stats["load"]["parse"] > 0.0);
   CHECK(stats["peak_memory_bytes"] > 1'000'000);
 }
 

@@ -26,7 +26,8 @@ std::string strip(const std::string& extension, const std::string& more = "") {
 {{"bufferView":1,"byteOffset":12,"componentType":5121,"count":2,"type":"SCALAR"}},
 {{"bufferView":1,"byteOffset":14,"componentType":5121,"count":2,"type":"SCALAR"}},
 {{"bufferView":1,"byteOffset":16,"componentType":5121,"count":3,"type":"SCALAR"}},
-{{"bufferView":1,"byteOffset":16,"componentType":5121,"count":2,"type":"SCALAR"}}],
+{{"bufferView":1,"byteOffset":16,"componentType":5121,"count":2,"type":"SCALAR"}},
+{{"bufferView":1,"byteOffset":12,"componentType":5120,"count":2,"type":"SCALAR"}}],
 "bufferViews":[{{"buffer":0,"byteLength":72}},{{"buffer":0,"byteOffset":72,"byteLength":20}}],{}{})",
                   extension, buffer_of(corners + indices + numbers), more));
 }
@@ -43,6 +44,8 @@ TEST_CASE("an outline parts faces where it is drawn, and nowhere else", "[io][gl
   CHECK(faces(strip("")) == Faces{0, 0, 0, 0});
   CHECK(faces(strip(R"("CESIUM_primitive_outline":{"indices":2})")) == Faces{0, 0, 1, 1});
   CHECK(faces(strip(R"("CESIUM_primitive_outline":{"indices":3})")) == Faces{0, 1, 0, 0});
+  // Signed, as the extension's own sample has them.
+  CHECK(faces(strip(R"("CESIUM_primitive_outline":{"indices":6})")) == Faces{0, 0, 1, 1});
 }
 
 TEST_CASE("polygons are faces, by offsets or by the fan's first vertex", "[io][gltf][borders]") {

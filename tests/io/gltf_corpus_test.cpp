@@ -5,23 +5,16 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "io/closed_scene.hpp"
+#include "tests/io/gltf_files.hpp"
 #include "tests/io/scene_text.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace raycat {
 namespace {
-
-std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const auto extension = entry.path().extension();
-    if (extension == ".gltf" || extension == ".glb") {
-      files.push_back(entry.path());
-    }
-  }
-  return files;
-}
 
 // The fields of a line of CSV, where quotes hold commas.
 std::vector<std::string> fields(const std::string& line) {
@@ -88,20 +81,41 @@ TEST_CASE("known assets have the triangles and faces that they should", "[io][gl
   CHECK(load_scene(folder / "cube_quantized/cubeQuantized.glb").scene.surfaces.faces() == 6);
 }
 
-TEST_CASE("bad glTF files load or are refused in one line", "[io][gltf]") {
+// The program ends, and the test with it, when a file takes longer than any should.
+class Alarm {
+ public:
+  explicit Alarm(unsigned seconds) { alarm(seconds); }
+  ~Alarm() { alarm(0); }
+  Alarm(const Alarm&) = delete;
+  Alarm& operator=(const Alarm&) = delete;
+};
+
+long peak_kilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST_CASE("bad glTF files load or are refused in one line, in little time and memory",
+          "[io][gltf]") {
   const auto folder = corpus() / "gltf-bad";
   if (!std::filesystem::exists(folder)) {
     WARN("skipped: no corpus");
     return;
   }
+  LoadOptions options;
+  options.limits.memory = std::uint64_t{256} << 20;
+  const long before = peak_kilobytes();
   for (const auto& file : gltf_files(folder)) {
     INFO(file);
+    const Alarm alarm(sanitized ? 30 : 5);
     try {
-      load_scene(file);
+      load_scene(file, options);
     } catch (const LoadError& error) {
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }
   }
+  CHECK(peak_kilobytes() - before < (sanitized ? 4 : 1) * (256 << 10));
 }
 
 }  // namespace

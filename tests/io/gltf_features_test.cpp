@@ -1,8 +1,13 @@
 #include "io/gltf_features.hpp"
 
+#include <array>
+
 #include <catch2/catch.hpp>
 
 #include "tests/io/gltf_text.hpp"
+#include "tests/io/png_file.hpp"
+#include "tracer/scene_crossings.hpp"
+#include "tracer/srgb.hpp"
 
 namespace raycat {
 namespace {
@@ -79,10 +84,6 @@ TEST_CASE("feature ids that cannot be read are ignored with a warning", "[io][gl
                               R"("EXT_mesh_features":{"featureIds":[{"featureCount":8,)"
                               R"("attribute":3}]})")) ==
         place + "has no attribute with an id for each vertex and is ignored");
-  CHECK(warning(two_triangles({1, 1, 1, 1, 1, 1},
-                              R"("EXT_mesh_features":{"featureIds":[{"featureCount":8,)"
-                              R"("texture":{"index":0}}]})")) ==
-        place + "feature ids in textures are not read, and faces are found by angle");
   for (const char* const bad : {R"("EXT_mesh_features":{})", R"("EXT_mesh_features":7)",
                                 R"("EXT_mesh_features":{"featureIds":{}})"}) {
     CHECK(warning(two_triangles({1, 1, 1, 1, 1, 1}, bad)) == place + "has no feature ids");
@@ -142,7 +143,102 @@ TEST_CASE("real assets with features have them as faces", "[io][gltf][features]"
     CHECK(faces(file) == std::vector<std::uint32_t>{0, 0, 1, 1, 2, 2, 3, 3});
     CHECK(file.scene.surfaces.faces() == 4);
   }
-  CHECK(load_scene(folder / "feat_tex/FeatureIdTexture.gltf").scene.surfaces.faces() == 1);
+  // Four quarters of one image.
+  CHECK(load_scene(folder / "feat_tex/FeatureIdTexture.gltf").scene.surfaces.faces() == 4);
+}
+
+// A square from (0, 0) to (1, 1) on an image of 2 x 1 texels with these values in red and green,
+// whose faces are told by `set`.
+std::string textured_square(std::array<std::array<int, 2>, 2> texels, const std::string& set,
+                            const std::string& image = "") {
+  Image pixels(2, 1);
+  for (int i = 0; i < 2; ++i) {
+    const auto& [red, green] = texels[static_cast<std::size_t>(i)];
+    pixels.pixels[static_cast<std::size_t>(i)] = {
+        linear_from_srgb(static_cast<float>(red) / 255.0f),
+        linear_from_srgb(static_cast<float>(green) / 255.0f), 0.0f};
+  }
+  const std::string points = floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
+  const std::string places = floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0});
+  return gltf(
+      "0", R"({"mesh":0})",
+      R"(,"extensionsUsed":["EXT_mesh_features"],"meshes":[{"primitives":[{"attributes":)"
+      R"({"POSITION":0,"TEXCOORD_1":1},"extensions":{"EXT_mesh_features":{"featureIds":[)" +
+          set +
+          R"(]}}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3"},
+          {"bufferView":1,"componentType":5126,"count":6,"type":"VEC2"}],
+          "bufferViews":[{"buffer":0,"byteLength":72},
+          {"buffer":0,"byteOffset":72,"byteLength":48}],
+          "textures":[{"source":0}],"images":[{"uri":")" +
+          (image.empty() ? data_uri(png(pixels)) : image) + R"("}],)" + buffer_of(points + places));
+}
+
+std::uint32_t face_at(const SceneFile& file, double x, double y) {
+  const SceneCrossings crossings(file.scene);
+  Solid::Scratch scratch;
+  std::vector<SceneCrossing> found;
+  crossings.cross({.origin = {x, y, 1}, .direction = {0, 0, -1}}, scratch, found);
+  return static_cast<std::uint32_t>(found.at(0).surface);
+}
+
+TEST_CASE("feature ids of a texture are the faces of its texels", "[io][gltf][features]") {
+  const SceneFile file =
+      load_text("scene.gltf", textured_square({{{3, 0}, {1, 0}}}, R"({"featureCount":4,"texture":)"
+                                                                  R"({"index":0,"texCoord":1}})"));
+  CHECK(file.warnings.empty());
+  CHECK(file.scene.surfaces.faces() == 4);
+  for (const double y : {0.1, 0.45, 0.9}) {  // on both triangles
+    CHECK(face_at(file, 0.2, y) == 3);
+    CHECK(face_at(file, 0.49, y) == 3);
+    CHECK(face_at(file, 0.51, y) == 1);
+  }
+}
+
+TEST_CASE("channels of a texel are the bytes of an id", "[io][gltf][features]") {
+  // 1 + 256 * 2 and 1 + 256 * 1, which are the largest and the smallest that there are.
+  const SceneFile file = load_text(
+      "scene.gltf",
+      textured_square(
+          {{{1, 2}, {1, 1}}},
+          R"({"featureCount":1000,"texture":{"index":0,"texCoord":1,"channels":[0,1]}})"));
+  CHECK(face_at(file, 0.2, 0.2) == 513);
+  CHECK(face_at(file, 0.8, 0.2) == 257);
+}
+
+TEST_CASE("texels without a feature are a face of their own", "[io][gltf][features]") {
+  const SceneFile null =
+      load_text("scene.gltf",
+                textured_square(
+                    {{{9, 0}, {1, 0}}},
+                    R"({"featureCount":2,"nullFeatureId":9,"texture":{"index":0,"texCoord":1}})"));
+  CHECK(null.warnings.empty());
+  CHECK(face_at(null, 0.2, 0.2) == 2);
+  const SceneFile strange =
+      load_text("scene.gltf", textured_square({{{9, 0}, {1, 0}}}, R"({"featureCount":2,"texture":)"
+                                                                  R"({"index":0,"texCoord":1}})"));
+  CHECK(strange.warnings ==
+        std::vector<std::string>{"meshes[0]: primitives[0]: EXT_mesh_features: 1 texels have a "
+                                 "feature that is none of 2; they count as having none"});
+  CHECK(face_at(strange, 0.2, 0.2) == 2);
+}
+
+TEST_CASE("a feature texture that cannot be looked up leaves faces to angles",
+          "[io][gltf][features]") {
+  const auto warnings = [](const std::string& set, const std::string& image = "") {
+    const SceneFile file = load_text("scene.gltf", textured_square({{{3, 0}, {1, 0}}}, set, image));
+    CHECK(file.scene.surfaces.faces() == 1);
+    return file.warnings;
+  };
+  const std::string place = "meshes[0]: primitives[0]: EXT_mesh_features: ";
+  CHECK(warnings(R"({"texture":{"index":0,"texCoord":0}})") ==
+        std::vector{place + "its texture coordinates are missing, and faces are found by angle"});
+  CHECK(warnings(R"({"texture":{"index":0,"texCoord":1,"channels":[7]}})") ==
+        std::vector{place + "texture: has no channels from 0 to 3, and faces are found by angle"});
+  CHECK(warnings(R"({"texture":{"index":0,"texCoord":1}})", "none.png").back() ==
+        place + "its image cannot be read, and faces are found by angle");
+  CHECK(gltf_error(textured_square({}, R"({"texture":{"index":7}})")) ==
+        "meshes[0]: primitives[0]: EXT_mesh_features: texture: index: there is no textures[7]; the "
+        "file has 1");
 }
 
 }  // namespace

@@ -225,5 +225,22 @@ TEST_CASE("whitted extras replace the table, each constant that is left out bein
         "materials[0]: extras.whitted: reflection: expected 3 numbers, but found [1,2]");
 }
 
+TEST_CASE("a volume absorbs what its colour lacks at its distance (Beer's law)", "[io][gltf]") {
+  const auto with = [](const std::string& volume) {
+    return extended("", R"("KHR_materials_transmission":{"transmissionFactor":1},
+                           "KHR_materials_volume":{)" +
+                            volume + "}")
+        .absorption;
+  };
+  // exp(-absorption * 2) is the colour.
+  check_colour(with(R"("thicknessFactor":1,"attenuationDistance":2,
+                       "attenuationColor":[1,0.5,0.13533528323661270])"),
+               {0.0f, 0.34657359f, 1.0f});
+  CHECK(with(R"("thicknessFactor":1,"attenuationColor":[1,0.5,0])") == glm::vec3(0.0f));
+  CHECK(with(R"("attenuationDistance":2,"attenuationColor":[1,0.5,0])") == glm::vec3(0.0f));
+  CHECK(with(R"("thicknessFactor":1,"attenuationDistance":1,"attenuationColor":[0,0,0])").r >
+        60.0f);
+}
+
 }  // namespace
 }  // namespace raycat

@@ -1,5 +1,7 @@
 #include "io/image_decode.hpp"
 
+#include <stdexcept>
+
 #include <catch2/catch.hpp>
 
 #include "tests/io/png_file.hpp"
@@ -33,9 +35,29 @@ TEST_CASE("the limit on pixels holds by the header, before anything is decoded",
                     "30000 x 30000 pixels are more than the 67108864 allowed");
 }
 
+// 3 x 2 pixels of one colour, without loss.
+const std::string webp(
+    "RIFF\x1c\0\0\0WEBPVP8L\x0f\0\0\0\x2f\x02\x40\x00\x10\x07\x90\xfd\x8f\x02\x06\x22\xa2\xff\x01"
+    "\0",
+    36);
+
+TEST_CASE("a WebP image is read, if its header promises few pixels", "[io][image]") {
+  const DecodedImage is = decode(webp, 6);
+  CHECK(is.width == 3);
+  CHECK(is.height == 2);
+  CHECK(is.rgba.size() == 24);
+  CHECK(is.rgba[0] == 255);
+  CHECK(is.rgba[3] == 128);
+  CHECK_THROWS_WITH(decode(webp, 5), "6 pixels are more than the 5 allowed");
+  std::string bomb = webp;
+  bomb.replace(21, 4, "\xff\xff\xff\x0f");
+  CHECK_THROWS_WITH(decode(bomb, 1 << 26), "268435456 pixels are more than the 67108864 allowed");
+  CHECK_THROWS_AS(decode(webp.substr(0, 30), 100), std::runtime_error);
+}
+
 TEST_CASE("what is no image is refused", "[io][image]") {
-  CHECK_THROWS_WITH(decode("GIF89a", 100), "neither PNG nor JPEG");
-  CHECK_THROWS_WITH(decode("", 100), "neither PNG nor JPEG");
+  CHECK_THROWS_WITH(decode("GIF89a", 100), "neither PNG, JPEG nor WebP");
+  CHECK_THROWS_WITH(decode("", 100), "neither PNG, JPEG nor WebP");
   const std::string whole = png(Image(2, 3));
   CHECK_THROWS_WITH(decode(whole.substr(0, 8), 100), "the PNG has no pixels");
   CHECK_THROWS_WITH(decode(whole.substr(0, 33), 100), "the PNG has no pixels");

@@ -101,7 +101,7 @@ TEST_CASE("progress ends with every row done", "[categories][render]") {
 
 TEST_CASE("pixels that meet a texture are counted", "[categories][render]") {
   SceneBuilder builder;
-  const MaterialId tile = builder.material({.base_texture = TextureId{0}});
+  const MaterialId tile = builder.material({.base_texture = TextureMap{}});
   builder.mesh("tile", square(1.0), at(0, 0, 0), tile);
   Scene scene = builder.take();
   scene.textures.emplace_back(1, 1, std::vector<std::uint8_t>{9, 9, 9, 255});

@@ -84,7 +84,7 @@ inline SurfaceMesh square(double half) {
   mesh.triangles.triangles = {{0, 1, 2}, {0, 2, 3}};
   mesh.triangles.faces = {0, 0};
   mesh.triangles.face_count = 1;
-  mesh.texture_coordinates = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  mesh.texture_coordinates = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
   return mesh;
 }
 

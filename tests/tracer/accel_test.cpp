@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "geometry/sample_meshes.hpp"
 #include "support/scenes.hpp"
 
 namespace raycat {
@@ -149,9 +150,42 @@ TEST_CASE("light is weakened by what it passes, and stopped by what is opaque", 
   CHECK(accel.transmittance(ray, 9.0, scratch) == glm::vec3(0.0f));
 }
 
+// A box from -1 to 1 of triangles.
+SurfaceMesh box_of_triangles() {
+  SurfaceMesh mesh;
+  mesh.triangles = test::box(glm::dvec3(-1.0), glm::dvec3(1.0));
+  return mesh;
+}
+
+TEST_CASE("light is weakened by the way it goes through what absorbs", "[tracer][accel]") {
+  SceneBuilder builder;
+  const MaterialId murky =
+      builder.material({.transmission = glm::vec3(1.0f), .absorption = {0.5f, 0.0f, 1.0f}});
+  const bool of_triangles = GENERATE(false, true);
+  if (of_triangles) {
+    builder.mesh("box", box_of_triangles(), at(0, 0, 0), murky);
+  } else {
+    builder.shape("box", Box{.size = glm::dvec3(2.0)}, at(0, 0, 0), murky);
+  }
+  const Scene scene = builder.take();
+  const Accel accel(scene);
+  Solid::Scratch scratch;
+  const auto check = [&](double from, double length, double inside) {
+    const glm::vec3 is = accel.transmittance({.origin = {0.3, 0.2, from}, .direction = {0, 0, 2}},
+                                             length / 2.0, scratch);
+    CHECK(is.r == Approx(std::exp(-0.5 * inside)).epsilon(1e-5));
+    CHECK(is.g == 1.0f);
+    CHECK(is.b == Approx(std::exp(-inside)).epsilon(1e-5));
+  };
+  check(-5.0, 3.0, 0.0);
+  check(-5.0, 10.0, 2.0);
+  check(-5.0, 5.5, 1.5);    // ends inside
+  check(0.25, 10.0, 0.75);  // starts inside
+}
+
 TEST_CASE("where a mask cuts a texture away there is no surface", "[tracer][accel]") {
   SceneBuilder builder;
-  const MaterialId leaf = builder.material({.base_texture = TextureId{0}, .alpha_cutoff = 0.5f});
+  const MaterialId leaf = builder.material({.base_texture = TextureMap{}, .alpha_cutoff = 0.5f});
   builder.mesh("leaf", square(1.0), at(0, 0, 0), leaf);
   Scene scene = builder.take();
   // The left half is there, the right half is not.

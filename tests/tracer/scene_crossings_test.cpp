@@ -1,8 +1,12 @@
 #include "tracer/scene_crossings.hpp"
 
+#include <cmath>
+#include <numeric>
+
 #include <catch2/catch.hpp>
 
 #include "support/scenes.hpp"
+#include "tracer/accel.hpp"
 
 namespace raycat {
 namespace {
@@ -49,6 +53,33 @@ TEST_CASE("a line through the diagonal of a square crosses it once", "[tracer][c
   for (double x = -0.9; x < 1.0; x += 0.1) {
     crossings.cross({.origin = {x, x, 5}, .direction = {0, 0, -1}}, scratch, found);
     CHECK(found.size() == 1);
+  }
+}
+
+TEST_CASE("images and crossings tell the same faces of a feature texture", "[tracer][crossings]") {
+  SceneBuilder builder;
+  SurfaceMesh sheet = square(1.0);
+  std::vector<std::uint32_t> faces(35);
+  std::iota(faces.begin(), faces.end(), 0u);
+  sheet.features = std::make_shared<const FeatureMap>(
+      FeatureMap{.grid = {.width = 7, .height = 5}, .faces = faces, .place = {}});
+  sheet.triangles.face_count = 35;
+  builder.mesh("sheet", std::move(sheet), at(2, 3, 4), builder.material({}));
+  const Scene scene = builder.take();
+  const SceneCrossings crossings(scene);
+  const Accel accel(scene);
+  Solid::Scratch scratch;
+  std::vector<SceneCrossing> found;
+  for (int i = 0; i < 400; ++i) {
+    const double x = -0.99 + 0.0049 * i;
+    const double y = 0.97 * std::sin(i);
+    const Ray ray{.origin = {2 + x, 3 + y, 9}, .direction = {0, 0, -1}};
+    crossings.cross(ray, scratch, found);
+    REQUIRE(found.size() == 1);
+    const auto column = static_cast<std::uint32_t>((x + 1) / 2 * 7);
+    const auto row = static_cast<std::uint32_t>((1 - y) / 2 * 5);
+    CHECK(found[0].surface == SurfaceId{row * 7 + column});
+    CHECK(accel.closest(ray, scratch).value().surface == found[0].surface);
   }
 }
 

@@ -195,6 +195,22 @@ Scene glass_over(const Shape& shape, float ior) {
   return builder.take();
 }
 
+TEST_CASE("what absorbs weakens light by the way inside (Beer's law)", "[tracer][refraction]") {
+  SceneBuilder builder;
+  const MaterialId murky = builder.material(
+      {.transmission = glm::vec3(1.0f), .ior = 1.0f, .absorption = {0.25f, 0.0f, 1.0f}});
+  const MaterialId stone = builder.material({.emission = {1, 1, 1}});
+  builder.shape("plate", Box{.size = {50, 2, 50}}, at(0, 0, 0), murky)
+      .shape("wall", Box{.size = {99, 1, 99}}, at(0, -10.5, 0), stone);
+  const Scene scene = builder.take();
+  // Aslant by 60 degrees, so that the way through a height of 2 is 4; rays need not have length 1.
+  const glm::dvec3 way(std::sin(1.0471975511965976), -0.5, 0.0);
+  const glm::vec3 colour = trace_one(scene, {.origin = {0, 5, 0}, .direction = 3.0 * way}).colour;
+  CHECK(colour.r == Approx(std::exp(-1.0)).epsilon(1e-5));
+  CHECK(colour.g == Approx(1.0));
+  CHECK(colour.b == Approx(std::exp(-4.0)).epsilon(1e-5));
+}
+
 TEST_CASE("a plate moves a ray aside and keeps its direction (Snell)", "[tracer][refraction]") {
   // 45 degrees into a plate of height 2 and index 1.5, then on to the wall at y = -10.
   const Scene scene = glass_over(Box{.size = {50, 2, 50}}, 1.5f);
@@ -287,7 +303,7 @@ TEST_CASE("a texture changes colours and no branch", "[tracer][texture]") {
   const auto with = [](std::uint8_t grey) {
     SceneBuilder builder;
     const MaterialId tile = builder.material(
-        {.diffuse = glm::vec3(1.0f), .reflection = glm::vec3(0.5f), .base_texture = TextureId{0}});
+        {.diffuse = glm::vec3(1.0f), .reflection = glm::vec3(0.5f), .base_texture = TextureMap{}});
     builder.mesh("tile", square(1.0), at(0, 0, 0), tile).light(sun({0, 0, -1}));
     Scene scene = builder.take();
     scene.textures.emplace_back(1, 1, std::vector<std::uint8_t>{grey, grey, grey, 255});

@@ -1,9 +1,12 @@
-#include "io/gltf_pbr.hpp"
+#include "tracer/pbr.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
+
+#include "tracer/material.hpp"
 
 namespace raycat {
 namespace {
@@ -33,8 +36,7 @@ Material whitted(const Pbr& pbr) {
   }
   material.diffuse =
       glm::vec3(pbr.base * (1.0 - m) * (1.0 - pbr.transmission) * (1.0 - greatest(dielectric)));
-  // DESIGN 9 has O_d times occlusion, but no occlusion texture is read yet, so it counts as 1.
-  material.ambient = material.diffuse;
+  material.ambient = material.diffuse * static_cast<float>(pbr.occlusion);
   material.specular = glm::vec3(glm::min(f0 * (n + 8.0) / 8.0, glm::dvec3(1.0)));
   material.shininess = static_cast<float>(n);
   material.reflection = glm::vec3(f0 * sharpness);
@@ -42,6 +44,11 @@ Material whitted(const Pbr& pbr) {
       glm::vec3(pbr.transmission * (1.0 - m) * (glm::dvec3(1.0) - f0) * pbr.base);
   material.ior = static_cast<float>(pbr.ior);
   material.thin = pbr.thin;
+  if (!pbr.thin && pbr.attenuation_distance > 0.0) {
+    constexpr double darkest = 1e-30;  // of which the logarithm still is a number
+    material.absorption =
+        glm::vec3(-glm::log(glm::max(pbr.attenuation_colour, darkest)) / pbr.attenuation_distance);
+  }
   if (pbr.transmission > 0.0 && r <= mirror_roughness) {
     material.fresnel = true;
     material.grazing_reflection = glm::vec3(static_cast<float>(sharpness));
