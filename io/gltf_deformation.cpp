@@ -59,7 +59,7 @@ class Deformation {
           if (!(weight[c] > 0.0)) {
             continue;
           }
-          if (!(number[c] < static_cast<double>(joints.size()))) {
+          if (!(number[c] >= 0.0 && number[c] < static_cast<double>(joints.size()))) {
             fail(fmt::format("JOINTS_{}: vertex {} is of joint {}, but the skin has {}", set,
                              vertices_[i], number[c], joints.size()));
           }

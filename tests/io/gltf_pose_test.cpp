@@ -174,6 +174,13 @@ TEST_CASE("a skin bends a mesh, whatever its node's place and its weights' sum",
                                        "0100000001000000"),
                                {}),
                     Catch::EndsWith("JOINTS_0: vertex 0 is of joint 2, but the skin has 2"));
+  std::string negative = skinned("[0,0,0,1]",
+                                 "0/00000000000000"  // the character before 0, for -1
+                                 "0100000001000000");
+  const std::string unsigned_bytes = R"("componentType":5121)";
+  negative.replace(negative.find(unsigned_bytes), unsigned_bytes.size(), R"("componentType":5120)");
+  CHECK_THROWS_WITH(load_posed(negative, {}),
+                    Catch::EndsWith("JOINTS_0: vertex 0 is of joint -1, but the skin has 2"));
 }
 
 }  // namespace
