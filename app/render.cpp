@@ -16,6 +16,7 @@
 #include "io/output_file.hpp"
 #include "render/edge_class_palette.hpp"
 #include "render/paint.hpp"
+#include "render/scene_sampler.hpp"
 
 namespace raycat::app {
 namespace {
@@ -56,6 +57,23 @@ void find_edges(const RenderOptions& options, const Accel& accel, const Camera& 
     };
     rendered.refined = refine_edges(rendering.categories, options.subpixel, sample);
   }
+}
+
+// Without the level of detail of the maps: what is smooth does not depend on them.
+void smooth_picture(const RenderOptions& options, const Accel& accel, const Camera& camera,
+                    const RenderSettings& settings, Rendered& rendered) {
+  ProgressBar bar(options.common.scene, options.common.quiet);
+  SceneSampler sampler(accel, camera, settings.width, settings.height, settings.levels,
+                       settings.threads);
+  rendered.smooth = smooth(sampler,
+                           {.width = settings.width,
+                            .height = settings.height,
+                            .threads = settings.threads,
+                            .progress = bar.callback()},
+                           options.antialias);
+  rendered.colour = Image(settings.width, settings.height);
+  rendered.colour.pixels = rendered.smooth->colour;
+  rendered.rays += sampler.rays();
 }
 
 void write_outputs(const RenderOptions& options, const Rendered& rendered,
@@ -119,9 +137,9 @@ void render(const RenderOptions& options, const CLI::App& command) {
   {
     ProgressBar bar(options.common.scene, options.common.quiet);
     settings.progress = bar.callback();
-    if (options.method) {
+    if (options.antialias.method ? wants_categories(options) : options.method.has_value()) {
       rendered.categorized = raycat::render(accel, camera, settings);
-    } else {
+    } else if (!options.antialias.method) {
       rendered.colour = render_colour(accel, camera, settings, rendered.rays);
     }
   }
@@ -130,6 +148,10 @@ void render(const RenderOptions& options, const CLI::App& command) {
     find_edges(options, accel, camera, settings, rendered);
   }
   seconds.edges = watch.lap();
+  if (options.antialias.method) {
+    smooth_picture(options, accel, camera, settings, rendered);
+  }
+  seconds.antialias = watch.lap();
 
   const InterruptDelay delay;
   write_outputs(options, rendered,

@@ -103,6 +103,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
       "Category encoding: heap (default), string, primes, godel, or none")
       ->type_name("METHOD");
   add_detail(command, options.detail);
+  add_antialias(command, options.antialias);
   const auto output = [&](const char* name, std::string& path, const char* help) {
     command.add_option(name, path, help)->type_name("FILE");
   };
@@ -138,6 +139,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
 }
 
 void require_outputs(const RenderOptions& options, const ImageSize& size) {
+  require_antialias(options.antialias);
   std::vector<std::string> paths = category_images(options);
   require_method(options, !paths.empty() || !options.edge_classes.empty());
   if (options.subpixel > 0 && options.edges.empty() && options.lines.empty() &&
@@ -186,6 +188,11 @@ void require_outputs(const RenderOptions& options, const ImageSize& size) {
     }
     require_writable(path);
   }
+}
+
+bool wants_categories(const RenderOptions& options) {
+  return options.method && (!category_images(options).empty() || !options.edge_classes.empty() ||
+                            options.view_as || !options.stats.empty() || options.common.json);
 }
 
 std::string reproducing_command(const RenderOptions& options, const CLI::App& command) {

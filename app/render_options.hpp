@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/antialias_options.hpp"
 #include "app/command.hpp"
 #include "app/detail_options.hpp"
 #include "app/view.hpp"
@@ -20,6 +21,7 @@ struct RenderOptions {
   std::optional<Method> method = Method::heap;  ///< none: no categories
   DetailOptions detail;
   int subpixel = 0;
+  AntialiasOptions antialias;
 
   std::string out;
   std::string edges;
@@ -40,6 +42,9 @@ void add_render_options(CLI::App& command, RenderOptions& options);
 /// outputs in one file, an output in place of the scene, and files that cannot be written. Throws
 /// `UsageError`, or `std::runtime_error` for what the system refuses.
 void require_outputs(const RenderOptions& options, const ImageSize& size);
+
+/// Is anything wanted that comes of categories, or of what they are?
+bool wants_categories(const RenderOptions& options);
 
 /// The command that makes the same maps: what shapes them all, and nothing of where they go or how
 /// many threads make them, so that the files do not depend on these.

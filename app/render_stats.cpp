@@ -50,6 +50,21 @@ Json edges_of(const Rendered& rendered, double pixels) {
   return edges;
 }
 
+// Of the picture: all else has been for categories alone.
+Json samples_of(const Rendered& rendered, double pixels) {
+  const std::uint64_t colour =
+      rendered.smooth ? rendered.smooth->samples.colour : static_cast<std::uint64_t>(pixels);
+  Json samples{{"colour", colour},
+               {"category_only", rendered.rays.camera - colour},
+               {"per_pixel", static_cast<double>(rendered.rays.camera) / pixels}};
+  if (rendered.smooth) {
+    samples["picture_per_pixel"] =
+        static_cast<double>(colour + rendered.smooth->samples.category_only) / pixels;
+    samples["refined_pixels"] = rendered.smooth->refined;
+  }
+  return samples;
+}
+
 Json parts_of(std::vector<std::uint64_t> sizes) {
   std::erase(sizes, 0u);
   std::ranges::sort(sizes, std::greater());
@@ -79,16 +94,14 @@ nlohmann::ordered_json stats_of(const RenderOptions& options, const SceneFile& f
   } else {
     stats["categories"] = {{"method", "none"}};
   }
-  const auto colour = static_cast<std::uint64_t>(pixels);
-  stats["samples"] = {{"colour", colour},
-                      {"category_only", rays.camera - colour},
-                      {"per_pixel", static_cast<double>(rays.camera) / pixels}};
+  stats["samples"] = samples_of(rendered, pixels);
   stats["rays"] = {{"camera", rays.camera},
                    {"reflection", rays.reflection},
                    {"refraction", rays.refraction},
                    {"shadow", rays.shadow}};
-  stats["seconds"] = {{"load", seconds.load},   {"build", seconds.build}, {"trace", seconds.trace},
-                      {"edges", seconds.edges}, {"antialias", 0.0},       {"write", seconds.write}};
+  stats["seconds"] = {{"load", seconds.load},           {"build", seconds.build},
+                      {"trace", seconds.trace},         {"edges", seconds.edges},
+                      {"antialias", seconds.antialias}, {"write", seconds.write}};
   if (file.seconds) {
     stats["load"] = {{"parse", file.seconds->parse},
                      {"decompress", file.seconds->decompress},

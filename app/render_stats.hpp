@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "antialias/antialias.hpp"
 #include "app/render_options.hpp"
 #include "edges/edge_classes.hpp"
 #include "edges/edge_map.hpp"
@@ -18,6 +19,7 @@ struct Seconds {
   double build = 0.0;
   double trace = 0.0;
   double edges = 0.0;
+  double antialias = 0.0;
   double write = 0.0;
 };
 
@@ -25,6 +27,7 @@ struct Seconds {
 struct Rendered {
   std::optional<Rendering> categorized;  ///< or without categories:
   Image colour{0, 0};
+  std::optional<SmoothPicture> smooth;  ///< of the picture, if it is antialiased: then in `colour`
   RayCounts rays;
 
   EdgeMap edges;
@@ -33,7 +36,7 @@ struct Rendered {
   std::optional<EdgeClasses> classes;
   std::optional<Regions> regions;
 
-  const Image& picture() const { return categorized ? categorized->colour : colour; }
+  const Image& picture() const { return categorized && !smooth ? categorized->colour : colour; }
 };
 
 /// What --stats and --json say of a render.

@@ -1,97 +1,16 @@
 #include "render/render.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <vector>
 
+#include "render/repeat_recorder.hpp"
+#include "render/textured_primitives.hpp"
 #include "tracer/parallel.hpp"
+#include "tracer/row_progress.hpp"
 
 namespace raycat {
 namespace {
-
-// Reports rows as they are done; a worker that finds another one reporting goes on.
-class Progress {
- public:
-  Progress(const RenderSettings& settings, int rows) : report_(settings.progress), rows_(rows) {}
-
-  void row_done() {
-    const int done = ++done_;
-    if (report_) {
-      if (const std::unique_lock lock(mutex_, std::try_to_lock); lock || done == rows_) {
-        report_(done, rows_);
-      }
-    }
-  }
-
- private:
-  const std::function<void(int, int)>& report_;
-  int rows_;
-  std::atomic<int> done_ = 0;
-  std::mutex mutex_;
-};
-
-// Which primitives have a texture; empty if none has.
-std::vector<bool> textured_primitives(const Scene& scene) {
-  std::vector<bool> textured;
-  for (const MeshInstance& instance : scene.meshes) {
-    const Material& material = scene.materials[static_cast<std::size_t>(instance.material)];
-    if (material.base_texture || material.varying) {
-      textured.resize(scene.surfaces.primitives());
-      textured[static_cast<std::size_t>(scene.surfaces.primitive(instance.first_face))] = true;
-    }
-  }
-  return textured;
-}
-
-// Records a tree against the one before, which most samples repeat: nodes are compared as they
-// come, and stored only from the first that differs. (Stored and compared afterwards, trees cost
-// five times as much, since the processor waits to read what it has just written.)
-class RepeatRecorder {
- public:
-  void start() {
-    matched_ = 0;
-    differs_ = false;
-  }
-
-  void push_back(const RayNode& node) {
-    if (!differs_) {
-      // Of the weights too, which `reduce` may go by.
-      if (matched_ < tree_.size() && tree_[matched_] == node &&
-          tree_[matched_].weight == node.weight) {
-        ++matched_;
-        return;
-      }
-      part();
-    }
-    fresh_.push_back(node);
-  }
-
-  /// Ends the tree; is it the one before?
-  bool repeats() {
-    if (!differs_ && matched_ == tree_.size()) {
-      return true;
-    }
-    if (!differs_) {
-      part();
-    }
-    std::swap(tree_, fresh_);
-    return false;
-  }
-
-  const RayTree& tree() const { return tree_; }
-
- private:
-  [[gnu::noinline]] void part() {
-    differs_ = true;
-    fresh_.assign(tree_.begin(), tree_.begin() + static_cast<std::ptrdiff_t>(matched_));
-  }
-
-  RayTree tree_;   // the last whole one
-  RayTree fresh_;  // the one being recorded, once it differs
-  std::size_t matched_ = 0;
-  bool differs_ = false;
-};
 
 // What is the same for all samples of an image.
 struct Plan {
@@ -202,7 +121,7 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
   categories.textured.resize(plan.textured.empty() ? 0 : categories.samples.size());
   std::vector<Worker> workers(static_cast<std::size_t>(settings.threads));
   std::vector<int> row_worker(static_cast<std::size_t>(rows));
-  Progress progress(settings, rows);
+  RowProgress progress(settings.progress, rows);
 
   parallel_rows(rows, settings.threads, [&](int y, int w) {
     Worker& worker = workers[static_cast<std::size_t>(w)];
@@ -234,7 +153,7 @@ Image render_colour(const Accel& accel, const Camera& camera, const RenderSettin
   Image image(settings.width, settings.height);
   const ImagePlane plane(camera, settings.width, settings.height);
   std::vector<TraceScratch> scratch(static_cast<std::size_t>(settings.threads));
-  Progress progress(settings, settings.height);
+  RowProgress progress(settings.progress, settings.height);
   parallel_rows(settings.height, settings.threads, [&](int y, int w) {
     NoRecord nothing;
     for (int x = 0; x < settings.width; ++x) {

@@ -56,7 +56,8 @@ Camera frame(const Bounds& bounds, const glm::dvec3& towards_eye, const glm::dve
   constexpr double margin = 1.08;
   const bool nothing = bounds.empty() || !bounds.finite();
   const Bounds box = nothing ? Bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)} : bounds;
-  Camera camera = look_at(box.center() + towards_eye, box.center(), up);
+  // At the origin, since far from it a step of one may be none.
+  Camera camera = look_at(towards_eye, glm::dvec3(0.0), up);
 
   // The least distance, or half height, at which every corner of the box is in view.
   const double slope = std::tan(default_fov / 2) / margin;

@@ -123,6 +123,12 @@ class Shader {
     }
   }
 
+  bool reached_by(const Light& light) {
+    lift();
+    glm::vec3 colour(0.0f);
+    return add(light, glm::vec3(1.0f), colour);
+  }
+
   void spawn(const Media& media, Shading& out) {
     const bool transmits =
         material_.blend ? material_.alpha < 1.0f || !untextured() : material_.transmission != black;
@@ -280,6 +286,18 @@ Shading shade(const Accel& accel, const Ray& ray, const Hit& hit, const Media& m
     shader.spawn(media, out);
   }
   return out;
+}
+
+Shading spawn(const Accel& accel, const Ray& ray, const Hit& hit, const Media& media,
+              TraceScratch& scratch) {
+  Shading out;
+  Shader(accel, ray, hit, scratch).spawn(media, out);
+  return out;
+}
+
+bool reaches(const Accel& accel, const Ray& ray, const Hit& hit, std::size_t light,
+             TraceScratch& scratch) {
+  return Shader(accel, ray, hit, scratch).reached_by(accel.scene().lights[light]);
 }
 
 }  // namespace raycat

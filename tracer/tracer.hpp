@@ -60,6 +60,14 @@ struct Shading {
 Shading shade(const Accel& accel, const Ray& ray, const Hit& hit, const Media& media, bool spawn,
               TraceScratch& scratch);
 
+/// The child rays of `shade` alone, without any light.
+Shading spawn(const Accel& accel, const Ray& ray, const Hit& hit, const Media& media,
+              TraceScratch& scratch);
+
+/// Is one light, by number, visible at the hit, as `shade` has it?
+bool reaches(const Accel& accel, const Ray& ray, const Hit& hit, std::size_t light,
+             TraceScratch& scratch);
+
 namespace detail {
 
 template <Recorder R>

@@ -74,5 +74,16 @@ TEST_CASE("framing shows the whole box", "[tracer][camera]") {
   }
 }
 
+TEST_CASE("a scene is framed however far from the origin it is", "[tracer][camera]") {
+  Bounds bounds;
+  bounds.include(glm::dvec3(-6e16));
+  bounds.include(glm::dvec3(-3e16));
+  const glm::dvec3 up(0, 1, 0);
+  const Camera camera = frame(bounds, three_quarter(up), up, 1.0, false);
+  const glm::dvec2 middle = ImagePlane(camera, 100, 100).project(bounds.center());
+  CHECK(middle.x == Approx(50.0));
+  CHECK(middle.y == Approx(50.0));
+}
+
 }  // namespace
 }  // namespace raycat

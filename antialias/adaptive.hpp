@@ -1,0 +1,24 @@
+#pragma once
+
+#include "antialias/antialias.hpp"
+
+namespace raycat {
+
+struct AdaptiveSettings {
+  /// How far a pixel's colour may be off, as distances of linear colours are measured. What is less
+  /// is left alone.
+  float error = 0.01f;
+
+  /// Do categories take part in what is decided? Without them colours alone do, for comparison.
+  bool categories = true;
+};
+
+/// Our own method (docs/antialiasing.md): coverage instead of averages. Where two categories meet
+/// in a square, its border is followed to where it crosses the sides, and each part has its own
+/// colour; where all is of one category, its colour is integrated as the quadratic that the samples
+/// around show. Squares that this fails for are parted in four, where it could make a difference of
+/// `error` in the pixel.
+SmoothPicture smooth_adaptively(Sampler& sampler, const SmoothSettings& settings,
+                                const AdaptiveSettings& adaptive);
+
+}  // namespace raycat

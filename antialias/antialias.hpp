@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "antialias/sample_lattice.hpp"
+#include "antialias/sampler.hpp"
+
+namespace raycat {
+
+/// Averages of a picture over its pixels, linear, each sample limited to what a display can show.
+struct SmoothPicture {
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec3> colour;  ///< width * height, rows from the top
+  std::vector<float> alpha;       ///< the part of the pixel that is not background
+  SampleCounts samples;
+  std::uint64_t refined = 0;  ///< pixels that were sampled beyond their corners
+
+  SmoothPicture(int width_in, int height_in);
+  std::size_t index(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// What is the same for all methods. Results do not depend on the number of threads.
+struct SmoothSettings {
+  int width = 512;
+  int height = 512;
+  int threads = 1;
+
+  /// Called now and then with the rows done and their number, one call at a time.
+  std::function<void(int done, int rows)> progress;
+};
+
+/// `side` by `side` samples in each pixel, at the middles of as many squares.
+SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings, int side);
+
+/// Which pixels deserve more than their corners: `corners` are in the order of a square's samples,
+/// left to right, top to bottom.
+using Selection = std::function<bool(const std::array<const ColourSample*, 4>& corners)>;
+
+/// Corners whose colours are more than `threshold` apart (Section 4's simple threshold method).
+Selection by_colour(float threshold);
+
+/// Corners of several categories, or that met a textured surface (Sections 4 and 4.2).
+Selection by_category();
+
+/// Corners alone where a pixel is not selected; `side` by `side` squares of samples where it is,
+/// whose borders neighbours share. `side` is at most 255.
+SmoothPicture smooth_selected(Sampler& sampler, const SmoothSettings& settings,
+                              const Selection& selection, int side);
+
+/// Which squares of a pixel to part in four: `area` is the square's, in pixels.
+using Parting = std::function<bool(const std::array<const ColourSample*, 4>& corners, double area)>;
+
+/// Corners that are more than `threshold` apart: Whitted's method. `by_area` weighs the difference
+/// with the square's area, as it counts in the pixel.
+Parting part_by_colour(float threshold, bool by_area);
+
+/// Corners of several categories, or that met a textured surface.
+Parting part_by_category();
+
+/// Squares parted in four as long as `parting` says, at most `depth` times, from 0 to 6; the mean
+/// of the corners is the square's.
+SmoothPicture smooth_recursively(Sampler& sampler, const SmoothSettings& settings,
+                                 const Parting& parting, int depth);
+
+}  // namespace raycat

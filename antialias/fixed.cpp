@@ -1,0 +1,155 @@
+// The methods that were there before: as many samples everywhere, or where a pixel is selected, or
+// recursively where corners differ.
+
+#include <algorithm>
+#include <array>
+
+#include "antialias/antialias.hpp"
+#include "antialias/colour_distance.hpp"
+#include "antialias/over_lattice.hpp"
+#include "tracer/row_progress.hpp"
+
+namespace raycat {
+namespace {
+
+float farthest(const Corners& corners) {
+  float distance = 0.0f;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      distance = std::max(distance, distance_of(corners[i]->colour, corners[j]->colour));
+    }
+  }
+  return distance;
+}
+
+bool several_categories(const Corners& corners) {
+  return std::ranges::any_of(corners, [&](const ColourSample* corner) {
+    return corner->tree != corners[0]->tree || corner->textured;
+  });
+}
+
+// The picture whose pixels are what `mean(pixel, corners, worker)` makes of their squares, or their
+// corners' mean where it makes nothing.
+template <typename Refine>
+SmoothPicture over_lattice(Sampler& sampler, const SmoothSettings& settings, int units,
+                           const Refine& refine) {
+  SmoothPicture out(settings.width, settings.height);
+  SampleLattice lattice(sampler, settings.width, settings.height, units);
+  lattice.trace_corners(settings.threads);
+  std::atomic<std::uint64_t> refined = 0;
+  RowProgress progress(settings.progress, settings.height);
+  each_row_apart(settings.height, settings.threads, [&](int y, int worker) {
+    for (int x = 0; x < settings.width; ++x) {
+      const Square pixel = pixel_square(lattice, x, y);
+      const Corners corners = pixel.corners(lattice, worker);
+      const std::optional<Mean> better = refine(lattice, pixel, corners, worker);
+      const Mean mean = better.value_or(mean_of(corners));
+      refined += better ? 1 : 0;
+      out.colour[out.index(x, y)] = mean.colour;
+      out.alpha[out.index(x, y)] = mean.alpha;
+    }
+    progress.row_done();
+  });
+  out.samples = lattice.counts();
+  out.refined = refined;
+  return out;
+}
+
+// The means of the corners of all the squares of one lattice unit in a pixel, which is to count a
+// sample half on a side and a quarter at a corner.
+Mean mean_of_units(SampleLattice& lattice, const Square& pixel, int worker) {
+  Mean sum;
+  for (int j = 0; j <= pixel.size; ++j) {
+    for (int i = 0; i <= pixel.size; ++i) {
+      const bool side_x = i == 0 || i == pixel.size;
+      const bool side_y = j == 0 || j == pixel.size;
+      const float weight = (side_x ? 0.5f : 1.0f) * (side_y ? 0.5f : 1.0f);
+      sum = sum + weight * mean_of(lattice.at(pixel.at + glm::ivec2(i, j), worker));
+    }
+  }
+  return 1.0f / static_cast<float>(pixel.size * pixel.size) * sum;
+}
+
+// Squares in quarters, as deep as `parting` and the lattice say. A picture has no deeper recursion
+// than the lattice has levels, seven at most.
+Mean parted(SampleLattice& lattice, const Square& square, const Parting& parting, int worker) {
+  const Corners corners = square.corners(lattice, worker);
+  const double side = static_cast<double>(square.size) / lattice.units();
+  if (square.size == 1 || !parting(corners, side * side)) {
+    return mean_of(corners);
+  }
+  Mean sum;
+  const int half = square.size / 2;
+  for (const glm::ivec2 quarter : {glm::ivec2(0, 0), {half, 0}, {0, half}, {half, half}}) {
+    sum = sum + parted(lattice, {.at = square.at + quarter, .size = half}, parting, worker);
+  }
+  return 0.25f * sum;
+}
+
+}  // namespace
+
+SmoothPicture::SmoothPicture(int width_in, int height_in)
+    : width(width_in), height(height_in), colour(index(0, height_in)), alpha(colour.size()) {}
+
+SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings, int side) {
+  SmoothPicture out(settings.width, settings.height);
+  RowProgress progress(settings.progress, settings.height);
+  parallel_rows(settings.height, settings.threads, [&](int y, int worker) {
+    const float share = 1.0f / static_cast<float>(side * side);
+    for (int x = 0; x < out.width; ++x) {
+      Mean sum;
+      for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+          sum = sum + mean_of(sampler.sample({x + (i + 0.5) / side, y + (j + 0.5) / side}, worker));
+        }
+      }
+      out.colour[out.index(x, y)] = share * sum.colour;
+      out.alpha[out.index(x, y)] = share * sum.alpha;
+    }
+    progress.row_done();
+  });
+  out.samples.colour =
+      out.colour.size() * static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
+  out.refined = side > 1 ? out.colour.size() : 0;
+  return out;
+}
+
+Selection by_colour(float threshold) {
+  return [threshold](const Corners& corners) { return farthest(corners) > threshold; };
+}
+
+Selection by_category() { return several_categories; }
+
+SmoothPicture smooth_selected(Sampler& sampler, const SmoothSettings& settings,
+                              const Selection& selection, int side) {
+  return over_lattice(sampler, settings, side,
+                      [&](SampleLattice& lattice, const Square& pixel, const Corners& corners,
+                          int worker) -> std::optional<Mean> {
+                        return selection(corners)
+                                   ? std::optional(mean_of_units(lattice, pixel, worker))
+                                   : std::nullopt;
+                      });
+}
+
+Parting part_by_colour(float threshold, bool by_area) {
+  return [threshold, by_area](const Corners& corners, double area) {
+    return farthest(corners) * (by_area ? static_cast<float>(area) : 1.0f) > threshold;
+  };
+}
+
+Parting part_by_category() {
+  return [](const Corners& corners, double /*area*/) { return several_categories(corners); };
+}
+
+SmoothPicture smooth_recursively(Sampler& sampler, const SmoothSettings& settings,
+                                 const Parting& parting, int depth) {
+  return over_lattice(sampler, settings, 1 << depth,
+                      [&](SampleLattice& lattice, const Square& pixel, const Corners& corners,
+                          int worker) -> std::optional<Mean> {
+                        return depth > 0 && parting(corners, 1.0)
+                                   ? std::optional(parted(lattice, pixel, parting, worker))
+                                   : std::nullopt;
+                      });
+}
+
+}  // namespace raycat

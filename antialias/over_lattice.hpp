@@ -1,0 +1,59 @@
+#pragma once
+
+#include "antialias/antialias.hpp"
+#include "tracer/parallel.hpp"
+
+namespace raycat {
+
+/// The mean of a pixel, or of a part of one.
+struct Mean {
+  glm::vec3 colour{0.0f};
+  float alpha = 0.0f;
+
+  friend Mean operator*(float share, const Mean& of) {
+    return {.colour = share * of.colour, .alpha = share * of.alpha};
+  }
+  friend Mean operator+(const Mean& a, const Mean& b) {
+    return {.colour = a.colour + b.colour, .alpha = a.alpha + b.alpha};
+  }
+};
+
+inline Mean mean_of(const ColourSample& sample) {
+  return {.colour = sample.colour, .alpha = sample.background ? 0.0f : 1.0f};
+}
+
+/// The four corners of a square, left to right, top to bottom.
+using Corners = std::array<const ColourSample*, 4>;
+
+inline Mean mean_of(const Corners& corners) {
+  return 0.25f * ((mean_of(*corners[0]) + mean_of(*corners[1])) +
+                  (mean_of(*corners[2]) + mean_of(*corners[3])));
+}
+
+/// A square on the lattice.
+struct Square {
+  glm::ivec2 at{0};  ///< its top left corner, in lattice units
+  int size = 0;      ///< in lattice units
+
+  Corners corners(SampleLattice& lattice, int worker) const {
+    return {&lattice.at(at, worker), &lattice.at({at.x + size, at.y}, worker),
+            &lattice.at({at.x, at.y + size}, worker),
+            &lattice.at({at.x + size, at.y + size}, worker)};
+  }
+};
+
+inline Square pixel_square(const SampleLattice& lattice, int x, int y) {
+  return {.at = glm::ivec2(x, y) * lattice.units(), .size = lattice.units()};
+}
+
+/// Calls `row(y, worker)` for all rows, first the even and then the odd ones, so that no two that
+/// touch are worked on at once and the order in which neighbours meet is always the same.
+template <typename Row>
+void each_row_apart(int height, int threads, const Row& row) {
+  for (int parity = 0; parity < 2; ++parity) {
+    parallel_rows((height + 1 - parity) / 2, threads,
+                  [&](int i, int worker) { row(2 * i + parity, worker); });
+  }
+}
+
+}  // namespace raycat

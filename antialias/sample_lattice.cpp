@@ -1,0 +1,150 @@
+#include "antialias/sample_lattice.hpp"
+
+#include <algorithm>
+
+#include "tracer/parallel.hpp"
+
+namespace raycat {
+namespace {
+
+constexpr std::size_t most_workers = 1024;
+constexpr std::size_t buckets_a_corner = 3;
+
+}  // namespace
+
+const ColourSample* SampleLattice::Bucket::find(std::uint16_t place) const {
+  const auto found = std::ranges::lower_bound(places, place);
+  return found != places.end() && *found == place
+             ? samples[static_cast<std::size_t>(found - places.begin())].get()
+             : nullptr;
+}
+
+SampleLattice::SampleLattice(Sampler& sampler, int width, int height, int units)
+    : sampler_(sampler),
+      width_(width),
+      height_(height),
+      units_(units),
+      corners_(corner(0, height + 1)),
+      buckets_(buckets_a_corner * corners_.size()),
+      per_worker_(most_workers) {}
+
+void SampleLattice::trace_corners(int threads) {
+  parallel_rows(height_ + 1, threads, [&](int row, int worker) {
+    for (int column = 0; column <= width_; ++column) {
+      corners_[corner(column, row)] = sampler_.sample(glm::dvec2(column, row), worker);
+    }
+    per_worker_[static_cast<std::size_t>(worker)].counts.colour +=
+        static_cast<std::uint64_t>(width_) + 1;
+  });
+}
+
+SampleLattice::Place SampleLattice::place(const glm::ivec2& point) const {
+  const int column = point.x / units_;
+  const int row = point.y / units_;
+  const int x = point.x % units_;
+  const int y = point.y % units_;
+  const std::size_t first = buckets_a_corner * corner(column, row);
+  if (y == 0) {
+    return {.bucket = first, .key = static_cast<std::uint16_t>(x)};
+  }
+  if (x == 0) {
+    return {.bucket = first + 1, .key = static_cast<std::uint16_t>(y)};
+  }
+  return {.bucket = first + 2, .key = static_cast<std::uint16_t>(y * units_ + x)};
+}
+
+const ColourSample& SampleLattice::at(const glm::ivec2& point, int worker, bool* fresh) {
+  if (is_corner(point)) {
+    return corners_[corner(point.x / units_, point.y / units_)];
+  }
+  const Place at = place(point);
+  Bucket& bucket = this->bucket(at);
+  const auto found = std::ranges::lower_bound(bucket.places, at.key);
+  const auto index = found - bucket.places.begin();
+  if (found == bucket.places.end() || *found != at.key) {
+    if (fresh != nullptr) {
+      *fresh = true;
+    }
+    ++per_worker_[static_cast<std::size_t>(worker)].counts.colour;
+    auto sample = std::make_unique<ColourSample>(sampler_.sample(in_pixels(point), worker));
+    bucket.places.insert(bucket.places.begin() + index, at.key);
+    bucket.samples.insert(bucket.samples.begin() + index, std::move(sample));
+  }
+  return *bucket.samples[static_cast<std::size_t>(index)];
+}
+
+SampleLattice::Bucket& SampleLattice::bucket(const Place& at) {
+  auto& bucket = buckets_[at.bucket];
+  if (!bucket) {
+    bucket = std::make_unique<Bucket>();
+  }
+  return *bucket;
+}
+
+std::optional<TreeId> SampleLattice::side(const glm::ivec2& point, TreeId a, TreeId b, int worker) {
+  if (const ColourSample* known = find(point)) {
+    return known->tree == a || known->tree == b ? std::optional(known->tree) : std::nullopt;
+  }
+  const Place at = place(point);
+  std::vector<Side>& sides = bucket(at).sides;
+  const auto known = std::ranges::find_if(sides, [&](const Side& side) {
+    return side.place == at.key && ((side.a == a && side.b == b) || (side.a == b && side.b == a));
+  });
+  if (known != sides.end()) {
+    return known->is;
+  }
+  ++per_worker_[static_cast<std::size_t>(worker)].counts.category_only;
+  const auto is = sampler_.side(in_pixels(point), a, b, worker);
+  sides.push_back({.place = at.key, .a = a, .b = b, .is = is});
+  return is;
+}
+
+const ColourSample* SampleLattice::find(const glm::ivec2& point) const {
+  if (point.x < 0 || point.y < 0 || point.x > width_ * units_ || point.y > height_ * units_) {
+    return nullptr;
+  }
+  if (is_corner(point)) {
+    return &corners_[corner(point.x / units_, point.y / units_)];
+  }
+  const Place at = place(point);
+  const auto& bucket = buckets_[at.bucket];
+  return bucket ? bucket->find(at.key) : nullptr;
+}
+
+void SampleLattice::between(const glm::ivec2& start, const glm::ivec2& end,
+                            std::vector<OnSide>& out) const {
+  out.clear();
+  const bool along_x = start.y == end.y;
+  const glm::ivec2 inner =
+      along_x ? glm::ivec2(start.x + 1, start.y) : glm::ivec2(start.x, start.y + 1);
+  const Place first = place(inner);
+  const auto& bucket = buckets_[first.bucket];
+  if (!bucket) {
+    return;
+  }
+  // Within a pixel, a column's places are a row of the lattice apart.
+  const int stride = !along_x && inner.x % units_ != 0 ? units_ : 1;
+  const int length = along_x ? end.x - start.x : end.y - start.y;
+  const auto from = std::ranges::lower_bound(bucket->places, first.key);
+  for (auto at = from; at != bucket->places.end(); ++at) {
+    const int distance = *at - first.key;
+    if (distance / stride >= length - 1) {
+      break;
+    }
+    if (distance % stride == 0) {
+      out.push_back(
+          {.from_start = distance / stride + 1,
+           .sample = bucket->samples[static_cast<std::size_t>(at - bucket->places.begin())].get()});
+    }
+  }
+}
+
+SampleCounts SampleLattice::counts() const {
+  SampleCounts sum;
+  for (const PerWorker& each : per_worker_) {
+    sum += each.counts;
+  }
+  return sum;
+}
+
+}  // namespace raycat

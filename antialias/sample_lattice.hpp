@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "antialias/sampler.hpp"
+
+namespace raycat {
+
+/// How many rays a picture has cost: whole ones, and those that only told two categories apart.
+struct SampleCounts {
+  std::uint64_t colour = 0;
+  std::uint64_t category_only = 0;
+
+  SampleCounts& operator+=(const SampleCounts& other) noexcept {
+    colour += other.colour;
+    category_only += other.category_only;
+    return *this;
+  }
+};
+
+/// The samples of a picture on a lattice of `units` by `units` points a pixel, from corner to
+/// corner of the picture. Each is traced when it is first asked for, and kept: neighbours share
+/// those on the borders between them.
+///
+/// Rows of pixels may be worked on at once as long as no two of them touch: a row's work traces
+/// points of its own pixels and their borders, and looks at those of the rows beside it.
+class SampleLattice {
+ public:
+  SampleLattice(Sampler& sampler, int width, int height, int units);
+
+  int width() const noexcept { return width_; }
+  int height() const noexcept { return height_; }
+  int units() const noexcept { return units_; }
+
+  /// Traces all corners of pixels. Before anything else.
+  void trace_corners(int threads);
+
+  /// The sample at a point in lattice units, which is traced if it is not there; `fresh` is set if
+  /// it was not.
+  const ColourSample& at(const glm::ivec2& point, int worker, bool* fresh = nullptr);
+
+  /// The sample if it is there; null if not, or if the point is outside the picture.
+  const ColourSample* find(const glm::ivec2& point) const;
+
+  /// A sample that is there, on the side of a square between two of its corners.
+  struct OnSide {
+    int from_start = 0;  ///< in lattice units
+    const ColourSample* sample = nullptr;
+  };
+
+  /// Of which of two trees is the point, as `Sampler::side` tells? A sample that is there answers
+  /// it, and else it is asked once.
+  std::optional<TreeId> side(const glm::ivec2& point, TreeId a, TreeId b, int worker);
+
+  /// Those strictly between two points of one row or one column of the lattice, at most a pixel
+  /// apart.
+  void between(const glm::ivec2& start, const glm::ivec2& end, std::vector<OnSide>& out) const;
+
+  /// Rays traced so far. Not while others work.
+  SampleCounts counts() const;
+
+  Sampler& sampler() noexcept { return sampler_; }
+
+ private:
+  struct Side {
+    std::uint16_t place = 0;
+    TreeId a{};
+    TreeId b{};
+    std::optional<TreeId> is;
+  };
+
+  // The samples on one border of a pixel, or within it, in the order of their places there.
+  struct Bucket {
+    std::vector<std::uint16_t> places;
+    std::vector<std::unique_ptr<ColourSample>> samples;
+    std::vector<Side> sides;
+
+    const ColourSample* find(std::uint16_t place) const;
+  };
+  struct Place {
+    std::size_t bucket = 0;
+    std::uint16_t key = 0;
+  };
+  struct alignas(64) PerWorker {
+    SampleCounts counts;
+  };
+
+  std::size_t corner(int column, int row) const {
+    return static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
+           static_cast<std::size_t>(column);
+  }
+  bool is_corner(const glm::ivec2& point) const {
+    return point.x % units_ == 0 && point.y % units_ == 0;
+  }
+  Bucket& bucket(const Place& at);
+  Place place(const glm::ivec2& point) const;
+  glm::dvec2 in_pixels(const glm::ivec2& point) const {
+    return glm::dvec2(point) / static_cast<double>(units_);
+  }
+
+  Sampler& sampler_;
+  int width_;
+  int height_;
+  int units_;
+  std::vector<ColourSample> corners_;
+  // Of each corner: the border to the right, the border below, and the pixel between them.
+  std::vector<std::unique_ptr<Bucket>> buckets_;
+  std::vector<PerWorker> per_worker_;
+};
+
+}  // namespace raycat

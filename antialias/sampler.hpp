@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace raycat {
+
+/// A ray tree, by number: two samples are of one category exactly when theirs are equal. Numbers
+/// may differ from run to run, so that nothing else may be made of them.
+enum class TreeId : std::uint32_t {};
+
+/// What one ray through the image tells.
+struct ColourSample {
+  glm::vec3 colour{0.0f};  ///< linear, each channel from 0 to 1: what a display can show
+  TreeId tree{};
+  bool textured = false;    ///< did the ray meet a textured surface on its way (Section 4.2)?
+  bool background = false;  ///< did it leave the scene at once?
+};
+
+/// A picture that can be sampled at any point, in pixels from its top left corner, by any number
+/// of workers at once. What a point tells depends on the point alone.
+class Sampler {
+ public:
+  virtual ~Sampler() = default;
+
+  virtual ColourSample sample(const glm::dvec2& point, int worker) = 0;
+
+  /// Of which of two trees is the ray through the point, as far as they differ? Nothing if of
+  /// neither. Traces no more of the ray's tree than tells them apart, and no light.
+  virtual std::optional<TreeId> side(const glm::dvec2& point, TreeId a, TreeId b, int worker) = 0;
+
+  /// Can `side` tell these two apart by less than a whole tree?
+  virtual bool tells_cheaply(TreeId a, TreeId b) = 0;
+};
+
+}  // namespace raycat

@@ -1,0 +1,578 @@
+#include "antialias/square_smoother.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include "antialias/colour_distance.hpp"
+
+namespace raycat {
+namespace {
+
+constexpr int deepest = 4;  // times that a pixel is parted
+
+// A square's corners in turn, as numbers in `Corners`, and where they are.
+constexpr std::array<std::size_t, 4> turn{0, 1, 3, 2};
+constexpr std::array<glm::ivec2, 4> turn_at{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+glm::vec4 value(const ColourSample& sample) {
+  return {sample.colour, sample.background ? 0.0f : 1.0f};
+}
+
+glm::vec4 mean(const Corners& corners) {
+  return 0.25f *
+         ((value(*corners[0]) + value(*corners[1])) + (value(*corners[2]) + value(*corners[3])));
+}
+
+float magnitude(const glm::vec4& difference) {
+  return distance_of(glm::vec3(difference), glm::vec3(0.0f));
+}
+
+float distance_of(const ColourSample& a, const ColourSample& b) {
+  return raycat::distance_of(a.colour, b.colour);
+}
+
+float farthest(const Corners& corners) {
+  float distance = 0.0f;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      distance = std::max(distance, distance_of(*corners[i], *corners[j]));
+    }
+  }
+  return distance;
+}
+
+}  // namespace
+
+SquareSmoother::Result SquareSmoother::smooth(int x, int y) {
+  result_ = {};
+  result_.mean = integrate(pixel_square(lattice_, x, y));
+  return result_;
+}
+
+float SquareSmoother::area(const Square& square) const {
+  const float side = static_cast<float>(square.size) / static_cast<float>(lattice_.units());
+  return side * side;
+}
+
+const ColourSample& SquareSmoother::sample(const glm::ivec2& point) {
+  bool fresh = false;
+  const ColourSample& sample = lattice_.at(point, worker_, &fresh);
+  result_.refined = result_.refined || fresh;
+  return sample;
+}
+
+glm::vec4 SquareSmoother::integrate(const Square& square) {
+  const Corners corners = square.corners(lattice_, worker_);
+  const bool one = std::ranges::all_of(
+      corners, [&](const ColourSample* corner) { return corner->tree == corners[0]->tree; });
+  if (one || !settings_.categories) {
+    if (settings_.categories && meets_another(square, corners[0]->tree)) {
+      return part(square);
+    }
+    if (const auto smooth = as_smooth(square, corners)) {
+      return *smooth;
+    }
+    const bool textured = std::ranges::any_of(corners, &ColourSample::textured);
+    return textured || !settings_.categories ? as_parts(square, corners) : part(square);
+  }
+  return as_parts(square, corners);
+}
+
+// In four, each integrated by itself. The samples that this puts on the pixel's borders tell its
+// neighbours something.
+glm::vec4 SquareSmoother::part(const Square& square) {
+  if (square.size <= lattice_.units() >> deepest) {
+    return mean(square.corners(lattice_, worker_));
+  }
+  const int half = square.size / 2;
+  const int units = lattice_.units();
+  for (const glm::ivec2 step : {glm::ivec2(1, 0), {0, 1}, {2, 1}, {1, 2}, {1, 1}}) {
+    const glm::ivec2 point = square.at + half * step;
+    bool fresh = false;
+    lattice_.at(point, worker_, &fresh);
+    if (fresh) {
+      result_.refined = true;
+      result_.borders[0] = result_.borders[0] || (point.x % units == 0 && step.x == 0);
+      result_.borders[1] = result_.borders[1] || (point.x % units == 0 && step.x == 2);
+      result_.borders[2] = result_.borders[2] || (point.y % units == 0 && step.y == 0);
+      result_.borders[3] = result_.borders[3] || (point.y % units == 0 && step.y == 2);
+    }
+  }
+  glm::vec4 sum(0.0f);
+  for (const glm::ivec2 quarter : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+    sum += integrate({.at = square.at + half * quarter, .size = half});
+  }
+  return 0.25f * sum;
+}
+
+// Has a sample on the square's sides another tree?
+bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
+  for (std::size_t i = 0; i < turn_at.size(); ++i) {
+    glm::ivec2 start = square.at + square.size * turn_at[i];
+    glm::ivec2 end = square.at + square.size * turn_at[(i + 1) % 4];
+    if (start.x > end.x || start.y > end.y) {
+      std::swap(start, end);
+    }
+    lattice_.between(start, end, on_side_);
+    if (std::ranges::any_of(
+            on_side_, [&](const SampleLattice::OnSide& met) { return met.sample->tree != tree; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The integral of the quadratic that second differences with the samples one square further tell;
+// nothing if it may be off by more than is allowed.
+std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const Corners& corners) {
+  const float greatest = farthest(corners);
+  const float allowed = settings_.error / area(square);
+  // Half of the greatest difference cannot be exceeded by much, and most squares are flat.
+  constexpr float without_neighbours = 0.08f;
+  glm::vec4 correction(0.0f);
+  float error = 0.0f;
+  for (int axis = 0; axis < 2; ++axis) {
+    const glm::ivec2 along = axis == 0 ? glm::ivec2(square.size, 0) : glm::ivec2(0, square.size);
+    const std::size_t step = axis == 0 ? 1 : 2;
+    glm::vec4 sum(0.0f);
+    float largest = 0.0f;
+    int count = 0;
+    for (int line = 0; line < 2; ++line) {
+      const std::size_t first = line == 0 ? 0 : 3 - step;
+      const glm::ivec2 start =
+          square.at + line * (axis == 0 ? glm::ivec2(0, square.size) : glm::ivec2(square.size, 0));
+      const ColourSample& a = *corners[first];
+      const ColourSample& b = *corners[first + step];
+      const ColourSample* before = lattice_.find(start - along);
+      const ColourSample* after = lattice_.find(start + 2 * along);
+      const auto add = [&](const ColourSample* outer, const ColourSample& near,
+                           const ColourSample& far) {
+        if (outer != nullptr && (outer->tree == near.tree || !settings_.categories)) {
+          const glm::vec4 second = value(*outer) - 2.0f * value(near) + value(far);
+          sum += second;
+          largest = std::max(largest, magnitude(second));
+          ++count;
+        }
+      };
+      add(before, a, b);
+      add(after, b, a);
+    }
+    constexpr float twelfth = 1.0f / 12.0f;
+    if (count == 0) {
+      error += without_neighbours * greatest;
+    } else {
+      error += twelfth * largest;
+      correction += twelfth / static_cast<float>(count) * sum;
+    }
+  }
+  if (error > allowed) {
+    return std::nullopt;
+  }
+  return mean(corners) - correction;
+}
+
+// Corners start with a label for each tree, or each for itself where colours decide, and labels are
+// joined while all their corners are less than the threshold apart (complete linkage).
+SquareSmoother::Labels SquareSmoother::label(const Corners& corners, float threshold) const {
+  Labels labels;
+  const bool by_colour =
+      !settings_.categories || std::ranges::all_of(corners, [&](const ColourSample* corner) {
+        return corner->tree == corners[0]->tree;
+      });
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    labels.of[i] = static_cast<int>(i);
+    for (std::size_t j = 0; j < i && !by_colour; ++j) {
+      if (corners[j]->tree == corners[i]->tree) {
+        labels.of[i] = labels.of[j];
+        break;
+      }
+    }
+  }
+  const auto apart = [&](int a, int b) {
+    float distance = 0.0f;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = 0; j < corners.size(); ++j) {
+        if (labels.of[i] == a && labels.of[j] == b) {
+          distance = std::max(distance, distance_of(*corners[i], *corners[j]));
+        }
+      }
+    }
+    return distance;
+  };
+  for (;;) {
+    float nearest = threshold;
+    std::pair<int, int> join(-1, -1);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (labels.of[i] != labels.of[j]) {
+          const float distance = apart(labels.of[j], labels.of[i]);
+          if (distance < nearest) {
+            nearest = distance;
+            join = {labels.of[j], labels.of[i]};
+          }
+        }
+      }
+    }
+    if (join.first < 0) {
+      break;
+    }
+    std::ranges::replace(labels.of, join.second, join.first);
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto before = labels.of.begin() + static_cast<std::ptrdiff_t>(i);
+    labels.count += std::find(labels.of.begin(), before, labels.of[i]) == before ? 1 : 0;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels.of[i] != labels.of[j]) {
+        labels.apart = std::max(labels.apart, distance_of(*corners[i], *corners[j]));
+      }
+    }
+  }
+  return labels;
+}
+
+glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners) {
+  const float a = area(square);
+  const float greatest = farthest(corners);
+  const Labels labels = label(corners, std::max(2.0f * settings_.error / a, 0.2f * greatest));
+  if (labels.count == 1 || labels.apart * a / 4.0f < settings_.error) {
+    const auto one = as_one(square, corners, greatest);
+    return one ? *one : part(square);
+  }
+  if (labels.count == 2) {
+    if (const auto two = as_two(square, corners, labels)) {
+      return *two;
+    }
+    return part(square);
+  }
+  const ColourSample& centre = sample(square.at + square.size / 2);
+  if (labels.apart * a / 8.0f < settings_.error) {
+    return 0.5f * (mean(corners) + value(centre));
+  }
+  return part(square);
+}
+
+// An edge that cannot be seen; nothing if a sample on the sides is far from what the corners tell.
+std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corners& corners,
+                                                float greatest) {
+  const float allowed = std::max(4.0f * settings_.error / area(square), greatest);
+  for (std::size_t i = 0; i < turn_at.size(); ++i) {
+    std::size_t from = i;
+    std::size_t to = (i + 1) % 4;
+    if (turn_at[from].x > turn_at[to].x || turn_at[from].y > turn_at[to].y) {
+      std::swap(from, to);
+    }
+    lattice_.between(square.at + square.size * turn_at[from], square.at + square.size * turn_at[to],
+                     on_side_);
+    for (const SampleLattice::OnSide& met : on_side_) {
+      const float at = static_cast<float>(met.from_start) / static_cast<float>(square.size);
+      const glm::vec3 expected =
+          glm::mix(corners[turn[from]]->colour, corners[turn[to]]->colour, at);
+      if (raycat::distance_of(met.sample->colour, expected) > allowed) {
+        return std::nullopt;
+      }
+    }
+  }
+  return mean(corners);
+}
+
+// Which corner's label a sample has: of the same tree, or where colours decide, of the nearest
+// colour. -1 if it is of none.
+int SquareSmoother::label_of(const ColourSample& sample, const Corners& corners,
+                             const Labels& labels) const {
+  for (std::size_t i = 0; i < corners.size() && settings_.categories; ++i) {
+    if (corners[i]->tree == sample.tree && !corners[i]->textured) {
+      return labels.of[i];
+    }
+  }
+  const bool by_colour = !settings_.categories || sample.textured;
+  if (!by_colour) {
+    return -1;
+  }
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (distance_of(*corners[i], sample) < distance_of(*corners[nearest], sample)) {
+      nearest = i;
+    }
+  }
+  return labels.of[nearest];
+}
+
+// Halves the part of a side in which the label changes, `steps` times. Nothing if a sample is of
+// neither label and of a colour of its own.
+std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& square,
+                                                              const Corners& corners,
+                                                              const Labels& labels, int side,
+                                                              int steps) {
+  const auto i = static_cast<std::size_t>(side);
+  const std::size_t j = (i + 1) % 4;
+  const glm::ivec2 start = square.at + square.size * turn_at[i];
+  const glm::ivec2 along = turn_at[j] - turn_at[i];
+  const ColourSample* at_low = corners[turn[i]];
+  const ColourSample* at_high = corners[turn[j]];
+  const int before = labels.of[turn[i]];
+  const int after = labels.of[turn[j]];
+  const float ends = distance_of(*at_low, *at_high);
+  const float a = area(square);
+  int low = 0;
+  int high = square.size;
+  for (int step = 0; step < steps && high - low > 1; ++step) {
+    const int middle = (low + high) / 2;
+    const ColourSample& met = sample(start + middle * along);
+    int label = label_of(met, corners, labels);
+    if (label != before && label != after) {
+      const float to_before = distance_of(met, *at_low);
+      const float to_after = distance_of(met, *at_high);
+      const float nearest = std::min(to_before, to_after);
+      if (!(nearest < 0.35f * ends || nearest * a / 4.0f < settings_.error)) {
+        return std::nullopt;
+      }
+      label = to_before <= to_after ? before : after;
+    }
+    if (label == before) {
+      low = middle;
+      at_low = &met;
+    } else {
+      high = middle;
+      at_high = &met;
+    }
+  }
+  return Crossing{.at = 0.5f * static_cast<float>(low + high) / static_cast<float>(square.size),
+                  .exact = 0.5f * static_cast<float>(high - low) / static_cast<float>(square.size),
+                  .before = value(*at_low),
+                  .after = value(*at_high)};
+}
+
+// The same by rays that only tell the two trees apart; what is beside the crossing, the surfaces of
+// its labels show. Nothing if a ray is of neither.
+std::optional<SquareSmoother::Crossing> SquareSmoother::cross_cheaply(
+    const Square& square, const Corners& corners, const std::array<Surface, 4>& surfaces,
+    const Labels& labels, int side, int steps) {
+  const auto i = static_cast<std::size_t>(side);
+  const std::size_t j = (i + 1) % 4;
+  const glm::ivec2 start = square.at + square.size * turn_at[i];
+  const glm::ivec2 along = turn_at[j] - turn_at[i];
+  const TreeId before = corners[turn[i]]->tree;
+  const TreeId after = corners[turn[j]]->tree;
+  int low = 0;
+  int high = square.size;
+  for (int step = 0; step < steps && high - low > 1; ++step) {
+    const int middle = (low + high) / 2;
+    const auto met = lattice_.side(start + middle * along, before, after, worker_);
+    if (!met) {
+      return std::nullopt;
+    }
+    (*met == before ? low : high) = middle;
+  }
+  result_.refined = true;
+  const float at = 0.5f * static_cast<float>(low + high) / static_cast<float>(square.size);
+  const glm::vec2 point = glm::mix(glm::vec2(turn_at[i]), glm::vec2(turn_at[j]), at);
+  return Crossing{.at = at,
+                  .exact = 0.5f * static_cast<float>(high - low) / static_cast<float>(square.size),
+                  .before = surfaces[static_cast<std::size_t>(labels.of[turn[i]])].at(point),
+                  .after = surfaces[static_cast<std::size_t>(labels.of[turn[j]])].at(point)};
+}
+
+void SquareSmoother::Region::add(const glm::vec2& point, const glm::vec4& value) {
+  points[static_cast<std::size_t>(size)] = point;
+  values[static_cast<std::size_t>(size)] = value;
+  ++size;
+}
+
+// Of the values of a convex region's corners, interpolated in the triangles of a fan.
+SquareSmoother::Integral SquareSmoother::integral(const Region& region) {
+  Integral sum;
+  for (int k = 1; k + 1 < region.size; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const glm::vec2 u = region.points[i] - region.points[0];
+    const glm::vec2 v = region.points[i + 1] - region.points[0];
+    const float triangle = 0.5f * std::abs(u.x * v.y - u.y * v.x);
+    constexpr float third = 1.0f / 3.0f;
+    sum.area += triangle;
+    sum.centre += triangle * third * (region.points[0] + region.points[i] + region.points[i + 1]);
+    sum.mean += triangle * third * (region.values[0] + region.values[i] + region.values[i + 1]);
+  }
+  if (sum.area > 0.0f) {
+    sum.centre /= sum.area;
+    sum.mean /= sum.area;
+  } else {
+    sum.centre = region.points[0];
+    sum.mean = region.values[0];
+  }
+  return sum;
+}
+
+glm::vec4 SquareSmoother::Surface::at(const glm::vec2& point) const {
+  return plane ? (*plane)[0] + point.x * (*plane)[1] + point.y * (*plane)[2] : mean;
+}
+
+SquareSmoother::Surface SquareSmoother::surface(const Square& square, const Corners& corners,
+                                                const Labels& labels, int label) {
+  std::array<std::pair<glm::vec2, glm::vec4>, 16> met;
+  std::size_t count = 0;
+  for (int j = -1; j <= 2; ++j) {
+    for (int i = -1; i <= 2; ++i) {
+      const ColourSample* sample = lattice_.find(square.at + square.size * glm::ivec2(i, j));
+      if (sample != nullptr && label_of(*sample, corners, labels) == label) {
+        met[count++] = {glm::vec2(i, j), value(*sample)};
+      }
+    }
+  }
+  Surface out;
+  const auto n = static_cast<float>(count);
+  glm::vec2 centre(0.0f);
+  glm::vec4 low(2.0f);
+  glm::vec4 high(-2.0f);
+  for (std::size_t k = 0; k < count; ++k) {
+    centre += met[k].first / n;
+    out.mean += met[k].second / n;
+    low = glm::min(low, met[k].second);
+    high = glm::max(high, met[k].second);
+  }
+  out.range = magnitude(high - low);
+  float xx = 0.0f;
+  float xy = 0.0f;
+  float yy = 0.0f;
+  glm::vec4 x_values(0.0f);
+  glm::vec4 y_values(0.0f);
+  for (std::size_t k = 0; k < count; ++k) {
+    const glm::vec2 d = met[k].first - centre;
+    const glm::vec4 v = met[k].second - out.mean;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+    x_values += d.x * v;
+    y_values += d.y * v;
+  }
+  const float determinant = xx * yy - xy * xy;
+  if (count >= 3 && determinant > 1e-3f) {
+    const glm::vec4 along_x = (yy * x_values - xy * y_values) / determinant;
+    const glm::vec4 along_y = (xx * y_values - xy * x_values) / determinant;
+    out.plane = Plane{out.mean - centre.x * along_x - centre.y * along_y, along_x, along_y};
+  }
+  return out;
+}
+
+// Two regions with a straight border between them; nothing if something is against it.
+std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corners& corners,
+                                                const Labels& labels) {
+  const float a = area(square);
+  std::array<int, 4> crossed{};
+  int crossings = 0;
+  for (int side = 0; side < 4; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    if (labels.of[turn[i]] != labels.of[turn[(i + 1) % 4]]) {
+      crossed[static_cast<std::size_t>(crossings++)] = side;
+    }
+  }
+  if (crossings != 2) {
+    return std::nullopt;
+  }
+  const int steps = std::max(
+      1, static_cast<int>(std::ceil(std::log2(labels.apart * a / (4.0f * settings_.error)))));
+  std::array<Surface, 4> surfaces;
+  std::array<bool, 4> is_label{};
+  for (const int label : labels.of) {
+    const auto i = static_cast<std::size_t>(label);
+    if (!is_label[i]) {
+      is_label[i] = true;
+      surfaces[i] = surface(square, corners, labels, label);
+    }
+  }
+  const bool flat = std::ranges::all_of(labels.of, [&](int label) {
+    return surfaces[static_cast<std::size_t>(label)].range * a <= settings_.error;
+  });
+  const auto crossing = [&](int side) {
+    const auto i = static_cast<std::size_t>(side);
+    if (settings_.categories && flat &&
+        lattice_.sampler().tells_cheaply(corners[turn[i]]->tree,
+                                         corners[turn[(i + 1) % 4]]->tree)) {
+      if (const auto cheap = cross_cheaply(square, corners, surfaces, labels, side, steps)) {
+        return std::optional(*cheap);
+      }
+    }
+    return cross(square, corners, labels, side, steps);
+  };
+  const auto first = crossing(crossed[0]);
+  const auto second = first ? crossing(crossed[1]) : std::nullopt;
+  if (!second) {
+    return std::nullopt;
+  }
+  const auto point_on = [](int side, float at) {
+    const auto i = static_cast<std::size_t>(side);
+    return glm::mix(glm::vec2(turn_at[i]), glm::vec2(turn_at[(i + 1) % 4]), at);
+  };
+  const glm::vec2 start = point_on(crossed[0], first->at);
+  const glm::vec2 end = point_on(crossed[1], second->at);
+  Region regions[2];
+  const auto add_corner = [&](Region& region, int corner) {
+    const auto i = static_cast<std::size_t>(corner % 4);
+    region.label = labels.of[turn[i]];
+    region.add(glm::vec2(turn_at[i]), value(*corners[turn[i]]));
+  };
+  regions[0].add(start, first->after);
+  for (int corner = crossed[0] + 1; corner <= crossed[1]; ++corner) {
+    add_corner(regions[0], corner);
+  }
+  regions[0].add(end, second->before);
+  regions[1].add(end, second->after);
+  for (int corner = crossed[1] + 1; corner <= crossed[0] + 4; ++corner) {
+    add_corner(regions[1], corner);
+  }
+  regions[1].add(start, first->before);
+
+  glm::vec4 sum(0.0f);
+  std::array<Integral, 2> parts;
+  std::array<const Surface*, 2> seen{};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i] = integral(regions[i]);
+    sum += parts[i].area * parts[i].mean;
+    seen[i] = &surfaces[static_cast<std::size_t>(regions[i].label)];
+    const glm::vec4 expected = seen[i]->at(parts[i].centre);
+    if (seen[i]->plane &&
+        magnitude(expected - parts[i].mean) * parts[i].area * a / 2.0f > settings_.error) {
+      return std::nullopt;
+    }
+  }
+  if (0.05f * labels.apart * a > settings_.error) {
+    const ColourSample& centre = sample(square.at + square.size / 2);
+    const glm::vec2 chord = end - start;
+    const auto side_of = [&](const glm::vec2& point) {
+      const glm::vec2 from = point - start;
+      return chord.x * from.y - chord.y * from.x > 0.0f;
+    };
+    const bool in_first = side_of(glm::vec2(0.5f)) == side_of(parts[0].centre);
+    const std::size_t is = in_first ? 0 : 1;
+    const int met = label_of(centre, corners, labels);
+    float error = 0.0f;
+    if (met == regions[1 - is].label) {
+      error = parts[is].area < 0.62f
+                  ? std::max(0.0f, 2.0f * (parts[is].area - 0.45f)) * labels.apart
+                  : labels.apart;
+    } else {
+      const glm::vec4 expected = seen[is]->plane ? seen[is]->at(glm::vec2(0.5f)) : parts[is].mean;
+      error = magnitude(value(centre) - expected);
+    }
+    if (error * parts[is].area * a / 2.0f > settings_.error) {
+      return std::nullopt;
+    }
+  }
+  if (square.size == lattice_.units()) {
+    const glm::vec2 middle = 0.5f * (start + end);
+    const glm::vec2 from = parts[0].centre - start;
+    const bool first_is_left = (end - start).x * from.y - (end - start).y * from.x < 0.0f;
+    const auto on = [&](bool left) {
+      const std::size_t i = left == first_is_left ? 0 : 1;
+      return seen[i]->plane ? seen[i]->at(middle) : parts[i].mean;
+    };
+    result_.cut = Border{.ends = {start, end},
+                         .sides = {crossed[0], crossed[1]},
+                         .exact = std::max(first->exact, second->exact),
+                         .left = on(true),
+                         .right = on(false)};
+  }
+  return sum;
+}
+
+}  // namespace raycat

@@ -1,0 +1,125 @@
+#include "app/antialias_options.hpp"
+
+#include <bit>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "antialias/adaptive.hpp"
+#include "app/command.hpp"
+
+namespace raycat::app {
+namespace {
+
+constexpr int most_side = 64;
+constexpr int default_side = 4;
+constexpr float default_threshold = 0.1f;
+
+std::string_view name(Smoothing method) {
+  static constexpr std::string_view names[] = {"uniform", "threshold", "whitted", "category",
+                                               "adaptive"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+bool halves(const AntialiasOptions& options) {
+  return options.method == Smoothing::whitted || options.recursive;
+}
+
+int depth(const AntialiasOptions& options) {
+  return std::countr_zero(static_cast<unsigned>(options.samples.value_or(default_side)));
+}
+
+}  // namespace
+
+void add_antialias(CLI::App& command, AntialiasOptions& options) {
+  add_choice<std::optional<Smoothing>>(
+      command, "--aa", options.method,
+      {{"none", std::nullopt},
+       {"uniform", Smoothing::uniform},
+       {"threshold", Smoothing::threshold},
+       {"whitted", Smoothing::whitted},
+       {"category", Smoothing::category},
+       {"adaptive", Smoothing::adaptive}},
+      "Antialiasing of the picture: none (default), uniform, threshold, whitted, category (the "
+      "paper's) or adaptive (ours)")
+      ->type_name("METHOD");
+  command
+      .add_option("--samples", options.samples,
+                  fmt::format("--aa uniform, threshold, category, whitted: samples a side of a "
+                              "pixel at most; {} by default",
+                              default_side))
+      ->type_name("N")
+      ->check(CLI::Range(1, most_side));
+  command
+      .add_option("--threshold", options.threshold,
+                  fmt::format("--aa threshold, whitted: how far linear colours (0 to 1) must be "
+                              "apart; {} by default",
+                              default_threshold))
+      ->type_name("T")
+      ->check(CLI::Range(0.0f, 1.0f));
+  command
+      .add_option(
+          "--quality", options.quality,
+          "--aa adaptive: the error of a pixel's colour that is left alone; 0.01 by default")
+      ->type_name("E")
+      ->check(CLI::Range(1e-5f, 1.0f));
+  command.add_flag("--by-area", options.by_area,
+                   "--aa whitted: weigh differences with the area that they are of");
+  command.add_flag("--recursive", options.recursive,
+                   "--aa category: part pixels in four where categories differ, again and again");
+  command.add_flag("--colour-only", options.colour_only,
+                   "--aa adaptive: decide by colours alone, to see what categories add");
+}
+
+void require_antialias(const AntialiasOptions& options) {
+  const auto require = [&](bool given, const char* option,
+                           std::initializer_list<Smoothing> methods) {
+    for (const Smoothing method : methods) {
+      given = given && options.method != method;
+    }
+    if (given) {
+      throw UsageError(options.method ? fmt::format("{}: --aa {} has no use for it", option,
+                                                    name(*options.method))
+                                      : fmt::format("{}: give --aa with it", option));
+    }
+  };
+  using enum Smoothing;
+  require(options.samples.has_value(), "--samples", {uniform, threshold, whitted, category});
+  require(options.threshold.has_value(), "--threshold", {threshold, whitted});
+  require(options.quality.has_value(), "--quality", {adaptive});
+  require(options.by_area, "--by-area", {whitted});
+  require(options.recursive, "--recursive", {category});
+  require(options.colour_only, "--colour-only", {adaptive});
+  if (halves(options) &&
+      !std::has_single_bit(static_cast<unsigned>(options.samples.value_or(default_side)))) {
+    throw UsageError(
+        fmt::format("--samples {}: where pixels are parted in four it must be a power of two",
+                    *options.samples));
+  }
+}
+
+SmoothPicture smooth(Sampler& sampler, const SmoothSettings& settings,
+                     const AntialiasOptions& options) {
+  const int side = options.samples.value_or(default_side);
+  const float threshold = options.threshold.value_or(default_threshold);
+  switch (*options.method) {
+    case Smoothing::uniform:
+      return smooth_uniformly(sampler, settings, side);
+    case Smoothing::threshold:
+      return smooth_selected(sampler, settings, by_colour(threshold), side);
+    case Smoothing::whitted:
+      return smooth_recursively(sampler, settings, part_by_colour(threshold, options.by_area),
+                                depth(options));
+    case Smoothing::category:
+      return options.recursive
+                 ? smooth_recursively(sampler, settings, part_by_category(), depth(options))
+                 : smooth_selected(sampler, settings, by_category(), side);
+    case Smoothing::adaptive:
+      break;
+  }
+  return smooth_adaptively(sampler, settings,
+                           {.error = options.quality.value_or(AdaptiveSettings().error),
+                            .categories = !options.colour_only});
+}
+
+}  // namespace raycat::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "antialias/antialias.hpp"
+
+namespace raycat::app {
+
+enum class Smoothing { uniform, threshold, whitted, category, adaptive };
+
+/// How a picture is to be antialiased.
+struct AntialiasOptions {
+  std::optional<Smoothing> method;
+  std::optional<int> samples;
+  std::optional<float> threshold;
+  std::optional<float> quality;
+  bool by_area = false;
+  bool recursive = false;
+  bool colour_only = false;
+};
+
+void add_antialias(CLI::App& command, AntialiasOptions& options);
+
+/// Throws `UsageError` for options that the method has no use for.
+void require_antialias(const AntialiasOptions& options);
+
+/// The picture by the method, which must be there.
+SmoothPicture smooth(Sampler& sampler, const SmoothSettings& settings,
+                     const AntialiasOptions& options);
+
+}  // namespace raycat::app

@@ -1,0 +1,112 @@
+#include "render/scene_sampler.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+#include "render/textured_primitives.hpp"
+#include "render/tree_difference.hpp"
+
+namespace raycat {
+
+SceneSampler::SceneSampler(const Accel& accel, const Camera& camera, int width, int height,
+                           int levels, int threads)
+    : accel_(accel),
+      plane_(camera, width, height),
+      levels_(levels),
+      textured_(textured_primitives(accel.scene())),
+      workers_(static_cast<std::size_t>(threads)) {}
+
+ColourSample SceneSampler::sample(const glm::dvec2& point, int worker) {
+  Worker& at = workers_[static_cast<std::size_t>(worker)];
+  at.recorder.start();
+  const glm::vec3 colour =
+      trace(accel_, plane_.ray(point.x, point.y), levels_, at.recorder, at.scratch);
+  if (!at.recorder.repeats() || !at.known) {
+    const SurfaceTable& surfaces = accel_.scene().surfaces;
+    at.tree = trees_.intern(at.recorder.tree());
+    at.textured =
+        !textured_.empty() && std::ranges::any_of(at.recorder.tree(), [&](const RayNode& node) {
+          return textured_[static_cast<std::size_t>(surfaces.primitive(node.surface))];
+        });
+    at.known = true;
+  }
+  return {.colour = glm::clamp(colour, 0.0f, 1.0f),
+          .tree = at.tree,
+          .textured = at.textured,
+          .background = at.recorder.tree().empty()};
+}
+
+// By at most a quarter of the rays of a whole tree: what tells less about a point than its colour
+// must cost much less.
+bool SceneSampler::tells_cheaply(TreeId a, TreeId b) {
+  const RayTree& tree = trees_.tree(a);
+  const auto apart = difference(tree, trees_.tree(b));
+  if (!apart) {
+    return false;
+  }
+  const std::size_t cheap =
+      static_cast<std::size_t>(level(apart->position)) + (apart->light ? 1 : 0);
+  const std::size_t whole =
+      std::max<std::size_t>(tree.size(), 1) * (1 + accel_.scene().lights.size());
+  return 4 * cheap <= whole;
+}
+
+std::optional<TreeId> SceneSampler::side(const glm::dvec2& point, TreeId a, TreeId b, int worker) {
+  Worker& at = workers_[static_cast<std::size_t>(worker)];
+  const RayTree& tree = trees_.tree(a);
+  const auto apart = difference(tree, trees_.tree(b));
+  if (!apart) {
+    const TreeId met = sample(point, worker).tree;
+    return met == a || met == b ? std::optional(met) : std::nullopt;
+  }
+  const auto answer = [&](bool is_a) { return is_a ? a : b; };
+  ++at.scratch.rays.camera;
+  Ray ray = plane_.ray(point.x, point.y);
+  Media media;
+  // Down to the node that tells them apart, along nodes that both have.
+  for (int below = level(apart->position) - 1;; --below) {
+    const HeapPosition position = apart->position >> below;
+    const std::optional<Hit> hit = accel_.closest(ray, at.scratch.solid);
+    if (below == 0) {
+      if (!apart->light) {
+        const auto met = hit ? std::optional(hit->surface) : std::nullopt;
+        return met == apart->a   ? std::optional(a)
+               : met == apart->b ? std::optional(b)
+                                 : std::nullopt;
+      }
+      if (!hit || hit->surface != apart->a) {
+        return std::nullopt;
+      }
+      const auto light = static_cast<std::size_t>(*apart->light);
+      return answer(reaches(accel_, ray, *hit, light, at.scratch) == apart->lit_in_a);
+    }
+    const RayNode* node = node_at(tree, position);
+    if (!hit || node == nullptr || hit->surface != node->surface) {
+      return std::nullopt;
+    }
+    const Shading shading = spawn(accel_, ray, *hit, media, at.scratch);
+    const bool by_reflection = (apart->position >> (below - 1) & 1) != 0;
+    const std::optional<Ray>& next = by_reflection ? shading.reflection : shading.refraction;
+    if (!next) {
+      return below == 1 && !apart->a   ? std::optional(a)
+             : below == 1 && !apart->b ? std::optional(b)
+                                       : std::nullopt;
+    }
+    if (!by_reflection) {
+      media = shading.media;
+    }
+    ++(by_reflection ? at.scratch.rays.reflection : at.scratch.rays.refraction);
+    ray = *next;
+  }
+}
+
+RayCounts SceneSampler::rays() const {
+  RayCounts sum;
+  for (const Worker& worker : workers_) {
+    sum += worker.scratch.rays;
+  }
+  return sum;
+}
+
+}  // namespace raycat

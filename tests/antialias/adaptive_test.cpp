@@ -1,0 +1,165 @@
+#include "antialias/adaptive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+
+#include "antialias/pictures.hpp"
+
+namespace raycat {
+namespace {
+
+SmoothSettings of(int width, int height, int threads = 1) {
+  return {.width = width, .height = height, .threads = threads, .progress = {}};
+}
+
+constexpr AdaptiveSettings fine{.error = 0.001f};
+
+// The part of the pixel's square below the line through `point` with this normal, by clipping.
+double share_below(double x, double y, const glm::dvec2& point, const glm::dvec2& normal) {
+  constexpr int lines = 4000;
+  double sum = 0.0;
+  for (int i = 0; i < lines; ++i) {
+    // Along each vertical line, exactly.
+    const double column = x + (i + 0.5) / lines;
+    const double rest = -normal.x * (column - point.x);
+    if (std::abs(normal.y) < 1e-12) {
+      sum += rest > 0.0 ? 1.0 : 0.0;
+      continue;
+    }
+    const double crossing = point.y + rest / normal.y;
+    const double above = std::clamp(crossing - y, 0.0, 1.0);
+    sum += normal.y > 0.0 ? above : 1.0 - above;
+  }
+  return sum / lines;
+}
+
+TEST_CASE("a patch that is quadratic is integrated exactly without a ray", "[antialias]") {
+  Picture patch([](const glm::dvec2& p) -> ColourSample {
+    const double v = 0.2 + 0.01 * p.x + 0.004 * p.x * p.x - 0.003 * p.y * p.y + 0.002 * p.x * p.y;
+    return {.colour = glm::vec3(static_cast<float>(v)), .tree = TreeId{1}};
+  });
+  const SmoothPicture is = smooth_adaptively(patch, of(7, 7), {.error = 0.01f});
+  CHECK(is.samples.colour == 64);
+  for (int y = 0; y < 7; ++y) {
+    for (int x = 0; x < 7; ++x) {
+      const auto third = [](double a) { return ((a + 1) * (a + 1) * (a + 1) - a * a * a) / 3.0; };
+      const double expected = 0.2 + 0.01 * (x + 0.5) + 0.004 * third(x) - 0.003 * third(y) +
+                              0.002 * (x + 0.5) * (y + 0.5);
+      CHECK(is.colour[is.index(x, y)].r == Approx(expected).margin(1e-5));
+    }
+  }
+}
+
+TEST_CASE("a straight edge at any angle is covered within a five-hundredth", "[antialias]") {
+  for (int degrees = 0; degrees < 180; degrees += 7) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const glm::dvec2 normal(std::cos(angle), std::sin(angle));
+    const glm::dvec2 point(4.03, 3.91);
+    Picture picture = two_colours([&](const glm::dvec2& p) {
+      return normal.x * (p.x - point.x) + normal.y * (p.y - point.y) < 0.0;
+    });
+    const SmoothPicture is = smooth_adaptively(picture, of(8, 8), fine);
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 8; ++x) {
+        INFO(degrees << " degrees, pixel " << x << ", " << y);
+        const double expected = share_below(x, y, point, normal);
+        CHECK(is.colour[is.index(x, y)].g == Approx(expected).margin(1.0 / 500));
+        CHECK(is.alpha[is.index(x, y)] == Approx(expected).margin(1.0 / 500));
+      }
+    }
+  }
+}
+
+TEST_CASE("where three surfaces meet a pixel is right within a hundredth", "[antialias]") {
+  for (int turned = 0; turned < 12; ++turned) {
+    const glm::dvec2 centre(2.5 + 0.03 * turned, 2.41 + 0.02 * turned);
+    const auto sector = [&](const glm::dvec2& p) {
+      const double angle = std::atan2(p.y - centre.y, p.x - centre.x) + 0.1 * turned;
+      return static_cast<std::uint32_t>(
+                 std::floor((angle + 9.0 * std::numbers::pi) / (2.0 * std::numbers::pi / 3.0))) %
+             3;
+    };
+    Picture picture([&](const glm::dvec2& p) -> ColourSample {
+      const std::uint32_t is = sector(p);
+      return {
+          .colour = glm::vec3(is == 0 ? 1.0f : 0.0f, is == 1 ? 1.0f : 0.0f, is == 2 ? 1.0f : 0.0f),
+          .tree = TreeId{is}};
+    });
+    const SmoothPicture is = smooth_adaptively(picture, of(5, 5), fine);
+    glm::dvec3 expected(0.0);
+    constexpr int side = 400;
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        const glm::dvec2 p(2.0 + (i + 0.5) / side, 2.0 + (j + 0.5) / side);
+        expected[static_cast<int>(sector(p))] += 1.0 / (side * side);
+      }
+    }
+    for (int c = 0; c < 3; ++c) {
+      CHECK(is.colour[is.index(2, 2)][c] == Approx(expected[c]).margin(0.01));
+    }
+  }
+}
+
+TEST_CASE("an edge that cannot be seen costs no ray", "[antialias]") {
+  Picture picture = two_colours([](const glm::dvec2& p) { return p.x + 0.7 * p.y < 6.3; },
+                                glm::vec3(0.5f), glm::vec3(0.503f));
+  CHECK(smooth_adaptively(picture, of(9, 9), {.error = 0.01f}).samples.colour == 100);
+}
+
+TEST_CASE("the picture and its rays are the same whatever the number of threads", "[antialias]") {
+  // Discs and stripes everywhere, so that neighbours have much to tell each other.
+  const auto picture = [] {
+    return Picture([](const glm::dvec2& p) -> ColourSample {
+      const double rings = std::sin(3.0 * std::hypot(p.x - 20.0, p.y - 11.0));
+      const double stripes = std::sin(1.7 * p.x + 0.3 * p.y);
+      const auto tree = static_cast<std::uint32_t>((rings > 0.2 ? 1 : 0) + (stripes > 0.1 ? 2 : 0));
+      return {.colour = glm::vec3(0.25f * static_cast<float>(tree)), .tree = TreeId{tree}};
+    });
+  };
+  Picture one = picture();
+  Picture four = picture();
+  const SmoothPicture a = smooth_adaptively(one, of(40, 30, 1), {});
+  const SmoothPicture b = smooth_adaptively(four, of(40, 30, 4), {});
+  CHECK(a.colour == b.colour);
+  CHECK(a.alpha == b.alpha);
+  CHECK(a.samples.colour == b.samples.colour);
+  CHECK(a.refined == b.refined);
+}
+
+// From `low` to `high`, in steps of a thousandth of that.
+double in_range(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+}
+
+TEST_CASE("discs anywhere are covered well", "[antialias][property]") {
+  CHECK(rc::check("discs", [] {
+    const double radius = in_range(4.0, 12.0);
+    const glm::dvec2 centre(in_range(0.0, 8.0), in_range(0.0, 8.0));
+    const auto inside = [&](const glm::dvec2& p) {
+      return std::hypot(p.x - centre.x, p.y - centre.y) < radius;
+    };
+    Picture picture = two_colours(inside);
+    const SmoothPicture is = smooth_adaptively(picture, of(8, 8), fine);
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 8; ++x) {
+        constexpr int lines = 500;
+        double expected = 0.0;
+        for (int i = 0; i < lines; ++i) {
+          const double dx = x + (i + 0.5) / lines - centre.x;
+          const double half = std::sqrt(std::max(0.0, radius * radius - dx * dx));
+          expected += std::max(0.0, std::min(centre.y + half, y + 1.0) -
+                                        std::max(centre.y - half, static_cast<double>(y)));
+        }
+        RC_ASSERT(std::abs(static_cast<double>(is.alpha[is.index(x, y)]) - expected / lines) <
+                  0.05);  // what bulges over a side between two corners is missed
+      }
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace raycat

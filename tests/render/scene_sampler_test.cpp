@@ -1,0 +1,76 @@
+#include "render/scene_sampler.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "render/tree_difference.hpp"
+#include "support/scenes.hpp"
+
+namespace raycat {
+namespace {
+
+TEST_CASE("trees differ at a node if all that differs hangs below it", "[render][antialias]") {
+  const auto node = [](HeapPosition position, std::uint32_t surface, LightMask lights = 0) {
+    return RayNode{.position = position, .lights = lights, .surface = SurfaceId{surface}};
+  };
+  const RayTree tree{node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 3)};
+  CHECK_FALSE(difference(tree, tree));
+  const RayTree other{node(2, 1), node(3, 5, 2), node(1, 0, 3)};
+  const auto apart = difference(tree, other).value();
+  CHECK(apart.position == 3);
+  CHECK(apart.a == SurfaceId{2});
+  CHECK(apart.b == SurfaceId{5});
+  CHECK_FALSE(apart.light);
+  const auto lit = difference(tree, {node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 1)}).value();
+  CHECK(lit.position == 1);
+  CHECK(lit.light == 1);
+  CHECK(lit.lit_in_a);
+  const auto missing = difference(tree, {node(6, 4), node(3, 2, 1), node(1, 0, 3)}).value();
+  CHECK(missing.position == 2);
+  CHECK_FALSE(missing.b);
+  // Two lights, and two branches, are more than one question.
+  CHECK_FALSE(difference(tree, {node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 0)}));
+  CHECK_FALSE(difference(tree, {node(6, 5), node(2, 9), node(3, 2, 1), node(1, 0, 3)}));
+}
+
+TEST_CASE("sides told cheaply are those of whole samples", "[render][antialias]") {
+  SceneBuilder builder;
+  const MaterialId mirror =
+      builder.material({.diffuse = glm::vec3(0.2f), .reflection = glm::vec3(0.7f)});
+  const MaterialId glass = builder.material({.transmission = glm::vec3(0.8f), .ior = 1.4f});
+  const MaterialId stone = builder.material({.diffuse = {0.7f, 0.6f, 0.5f}});
+  builder.shape("ball", Sphere{.radius = 1.0}, at(-0.8, 0, 0), mirror)
+      .shape("bead", Sphere{.radius = 0.7}, at(0.9, 0.2, 1), glass)
+      .shape("box", Box{.size = {1, 1, 1}}, at(0.6, -0.4, -1.2), stone)
+      .shape("floor", HalfSpace{}, at(0, -1, 0), stone)
+      .light({.kind = Light::Kind::point, .position = {3, 5, 4}, .diffuse = glm::vec3(1.0f)})
+      .light({.kind = Light::Kind::point, .position = {-4, 4, 2}, .diffuse = glm::vec3(1.0f)});
+  const Scene scene = builder.take();
+  const Accel accel(scene);
+  const Camera camera = look_at({0, 1, 5}, {0, 0, 0}, {0, 1, 0});
+  SceneSampler sampler(accel, camera, 40, 40, 6, 1);
+  int asked = 0;
+  int wrong = 0;
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 39; ++x) {
+      const TreeId a = sampler.sample(glm::dvec2(x, y), 0).tree;
+      const TreeId b = sampler.sample(glm::dvec2(x + 1, y), 0).tree;
+      if (a == b) {
+        continue;
+      }
+      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const glm::dvec2 point(x + part, y);
+        const TreeId whole = sampler.sample(point, 0).tree;
+        const auto side = sampler.side(point, a, b, 0);
+        if (whole == a || whole == b) {
+          ++asked;
+          wrong += side == whole ? 0 : 1;
+        }
+      }
+    }
+  }
+  CHECK(asked > 500);
+  CHECK(wrong == 0);
+}
+
+}  // namespace
+}  // namespace raycat
