@@ -21,7 +21,9 @@ struct StudySettings {
   std::filesystem::path scenes;  ///< holds the scenes of the paper's figures
   std::string scene;             ///< a file to study in place of these; empty if none
   ImageSize size;                ///< of all pictures but Fig. 12's
+  bool sized = false;            ///< was it asked for? Else Table 2 has sizes of its own
   int largest = 2048;            ///< side of Fig. 12's largest picture
+  bool quick = false;            ///< a coarse sweep for Table 2
   int threads = 1;
   bool quiet = false;
 
@@ -76,6 +78,8 @@ nlohmann::ordered_json study_fig9(const StudySettings& settings, ReportPage& pag
 nlohmann::ordered_json study_fig10(const StudySettings& settings, ReportPage& page);
 nlohmann::ordered_json study_fig12(const StudySettings& settings, ReportPage& page);
 nlohmann::ordered_json study_fig15(const StudySettings& settings, ReportPage& page);
+nlohmann::ordered_json study_fig13(const StudySettings& settings, ReportPage& page);
+nlohmann::ordered_json study_table2(const StudySettings& settings, ReportPage& page);
 nlohmann::ordered_json study_table1(const StudySettings& settings, ReportPage& page);
 
 }  // namespace raycat::app
