@@ -20,7 +20,7 @@ constexpr int most_rounds = 8;
 SmoothPicture smooth_adaptively(Sampler& sampler, const SmoothSettings& settings,
                                 const AdaptiveSettings& adaptive) {
   SmoothPicture out(settings.width, settings.height);
-  SampleLattice lattice(sampler, settings.width, settings.height, units);
+  SampleLattice lattice(sampler, settings.width, settings.height, units, settings.threads);
   lattice.trace_corners(settings.threads);
   // Pixels that are to be smoothed, at first or again, since a neighbour has put samples on the
   // border between them.

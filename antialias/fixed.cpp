@@ -34,7 +34,7 @@ template <typename Refine>
 SmoothPicture over_lattice(Sampler& sampler, const SmoothSettings& settings, int units,
                            const Refine& refine) {
   SmoothPicture out(settings.width, settings.height);
-  SampleLattice lattice(sampler, settings.width, settings.height, units);
+  SampleLattice lattice(sampler, settings.width, settings.height, units, settings.threads);
   lattice.trace_corners(settings.threads);
   std::atomic<std::uint64_t> refined = 0;
   RowProgress progress(settings.progress, settings.height);

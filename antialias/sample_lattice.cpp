@@ -7,26 +7,18 @@
 namespace raycat {
 namespace {
 
-constexpr std::size_t most_workers = 1024;
 constexpr std::size_t buckets_a_corner = 3;
 
 }  // namespace
 
-const ColourSample* SampleLattice::Bucket::find(std::uint16_t place) const {
-  const auto found = std::ranges::lower_bound(places, place);
-  return found != places.end() && *found == place
-             ? samples[static_cast<std::size_t>(found - places.begin())].get()
-             : nullptr;
-}
-
-SampleLattice::SampleLattice(Sampler& sampler, int width, int height, int units)
+SampleLattice::SampleLattice(Sampler& sampler, int width, int height, int units, int threads)
     : sampler_(sampler),
       width_(width),
       height_(height),
       units_(units),
       corners_(corner(0, height + 1)),
       buckets_(buckets_a_corner * corners_.size()),
-      per_worker_(most_workers) {}
+      per_worker_(static_cast<std::size_t>(threads)) {}
 
 void SampleLattice::trace_corners(int threads) {
   parallel_rows(height_ + 1, threads, [&](int row, int worker) {
@@ -58,25 +50,26 @@ const ColourSample& SampleLattice::at(const glm::ivec2& point, int worker, bool*
     return corners_[corner(point.x / units_, point.y / units_)];
   }
   const Place at = place(point);
-  Bucket& bucket = this->bucket(at);
-  const auto found = std::ranges::lower_bound(bucket.places, at.key);
-  const auto index = found - bucket.places.begin();
-  if (found == bucket.places.end() || *found != at.key) {
+  std::vector<Entry>& entries = bucket(at).entries;
+  auto found = std::ranges::lower_bound(entries, at.key, {}, &Entry::place);
+  if (found == entries.end() || found->place != at.key) {
     if (fresh != nullptr) {
       *fresh = true;
     }
-    ++per_worker_[static_cast<std::size_t>(worker)].counts.colour;
-    auto sample = std::make_unique<ColourSample>(sampler_.sample(in_pixels(point), worker));
-    bucket.places.insert(bucket.places.begin() + index, at.key);
-    bucket.samples.insert(bucket.samples.begin() + index, std::move(sample));
+    PerWorker& own = per_worker_[static_cast<std::size_t>(worker)];
+    ++own.counts.colour;
+    own.samples.push_back(sampler_.sample(in_pixels(point), worker));
+    found = entries.insert(found, {.place = at.key, .sample = &own.samples.back()});
   }
-  return *bucket.samples[static_cast<std::size_t>(index)];
+  return *found->sample;
 }
 
 SampleLattice::Bucket& SampleLattice::bucket(const Place& at) {
   auto& bucket = buckets_[at.bucket];
   if (!bucket) {
     bucket = std::make_unique<Bucket>();
+    constexpr std::size_t usual = 8;
+    bucket->entries.reserve(usual);
   }
   return *bucket;
 }
@@ -108,7 +101,11 @@ const ColourSample* SampleLattice::find(const glm::ivec2& point) const {
   }
   const Place at = place(point);
   const auto& bucket = buckets_[at.bucket];
-  return bucket ? bucket->find(at.key) : nullptr;
+  if (!bucket) {
+    return nullptr;
+  }
+  const auto found = std::ranges::lower_bound(bucket->entries, at.key, {}, &Entry::place);
+  return found != bucket->entries.end() && found->place == at.key ? found->sample : nullptr;
 }
 
 void SampleLattice::between(const glm::ivec2& start, const glm::ivec2& end,
@@ -125,16 +122,14 @@ void SampleLattice::between(const glm::ivec2& start, const glm::ivec2& end,
   // Within a pixel, a column's places are a row of the lattice apart.
   const int stride = !along_x && inner.x % units_ != 0 ? units_ : 1;
   const int length = along_x ? end.x - start.x : end.y - start.y;
-  const auto from = std::ranges::lower_bound(bucket->places, first.key);
-  for (auto at = from; at != bucket->places.end(); ++at) {
-    const int distance = *at - first.key;
+  auto at = std::ranges::lower_bound(bucket->entries, first.key, {}, &Entry::place);
+  for (; at != bucket->entries.end(); ++at) {
+    const int distance = at->place - first.key;
     if (distance / stride >= length - 1) {
       break;
     }
     if (distance % stride == 0) {
-      out.push_back(
-          {.from_start = distance / stride + 1,
-           .sample = bucket->samples[static_cast<std::size_t>(at - bucket->places.begin())].get()});
+      out.push_back({.from_start = distance / stride + 1, .sample = at->sample});
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,7 +33,7 @@ struct SampleCounts {
 /// points of its own pixels and their borders, and looks at those of the rows beside it.
 class SampleLattice {
  public:
-  SampleLattice(Sampler& sampler, int width, int height, int units);
+  SampleLattice(Sampler& sampler, int width, int height, int units, int threads);
 
   int width() const noexcept { return width_; }
   int height() const noexcept { return height_; }
@@ -76,12 +77,13 @@ class SampleLattice {
   };
 
   // The samples on one border of a pixel, or within it, in the order of their places there.
+  struct Entry {
+    std::uint16_t place = 0;
+    const ColourSample* sample = nullptr;
+  };
   struct Bucket {
-    std::vector<std::uint16_t> places;
-    std::vector<std::unique_ptr<ColourSample>> samples;
+    std::vector<Entry> entries;
     std::vector<Side> sides;
-
-    const ColourSample* find(std::uint16_t place) const;
   };
   struct Place {
     std::size_t bucket = 0;
@@ -89,6 +91,7 @@ class SampleLattice {
   };
   struct alignas(64) PerWorker {
     SampleCounts counts;
+    std::deque<ColourSample> samples;  // which stay where they are
   };
 
   std::size_t corner(int column, int row) const {

@@ -15,7 +15,7 @@ TEST_CASE("each point of the lattice is traced once and found again", "[antialia
   Picture picture([](const glm::dvec2& p) -> ColourSample {
     return {.colour = {static_cast<float>(p.x), static_cast<float>(p.y), 0.0f}};
   });
-  SampleLattice lattice(picture, 3, 2, 8);
+  SampleLattice lattice(picture, 3, 2, 8, 1);
   lattice.trace_corners(1);
   CHECK(lattice.counts().colour == 12);
   std::mt19937 random(1);
@@ -39,7 +39,7 @@ TEST_CASE("each point of the lattice is traced once and found again", "[antialia
 
 TEST_CASE("samples on a side are found in order, on borders and within pixels", "[antialias]") {
   Picture picture([](const glm::dvec2&) -> ColourSample { return {}; });
-  SampleLattice lattice(picture, 2, 2, 8);
+  SampleLattice lattice(picture, 2, 2, 8, 1);
   lattice.trace_corners(1);
   std::vector<SampleLattice::OnSide> met;
   const auto places = [&](const glm::ivec2& start, const glm::ivec2& end) {
