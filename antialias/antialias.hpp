@@ -9,12 +9,21 @@
 
 namespace raycat {
 
+/// How much of a pixel a tree covers.
+struct TreeShare {
+  TreeId tree{};
+  float share = 0.0f;
+};
+
 /// Averages of a picture over its pixels, linear, each sample limited to what a display can show.
 struct SmoothPicture {
   int width = 0;
   int height = 0;
   std::vector<glm::vec3> colour;  ///< width * height, rows from the top
   std::vector<float> alpha;       ///< the part of the pixel that is not background
+  /// Which trees each pixel is of, with shares that sum to 1; only where it is asked for. A tree
+  /// may be there more than once.
+  std::vector<std::vector<TreeShare>> coverage;
   SampleCounts samples;
   std::uint64_t refined = 0;  ///< pixels that were sampled beyond their corners
 
@@ -30,6 +39,7 @@ struct SmoothSettings {
   int width = 512;
   int height = 512;
   int threads = 1;
+  bool coverage = false;  ///< fill `SmoothPicture::coverage`, as uniform and adaptive methods can
 
   /// Called now and then with the rows done and their number, one call at a time.
   std::function<void(int done, int rows)> progress;

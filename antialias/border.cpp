@@ -22,19 +22,28 @@ struct Beyond {
   float exact = 0.0f;
 };
 
-// Where the border goes on beyond one of its ends; nothing if the pixel there has none.
+// Where the border goes on beyond one of its ends, far enough away to tell something; nothing if a
+// pixel on the way there has none.
 std::optional<Beyond> beyond(const std::vector<BorderRow>& rows, const glm::ivec2& pixel,
                              const Border& border, std::size_t end) {
-  const int side = border.sides[end];
-  const glm::ivec2 step = beside[static_cast<std::size_t>(side)];
-  const Border* next = border_at(rows, pixel + step);
-  if (next == nullptr) {
-    return std::nullopt;
-  }
-  const int opposite = (side + 2) % 4;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (next->sides[i] == opposite) {
-      return Beyond{.point = next->ends[1 - i] + glm::vec2(step), .exact = next->exact};
+  constexpr int most_steps = 3;
+  constexpr float far_enough = 0.75f;
+  Beyond out{.point = border.ends[end]};
+  glm::ivec2 at = pixel;
+  int side = border.sides[end];
+  for (int step = 0; step < most_steps; ++step) {
+    at += beside[static_cast<std::size_t>(side)];
+    const Border* next = border_at(rows, at);
+    const int opposite = (side + 2) % 4;
+    if (next == nullptr || (next->sides[0] != opposite && next->sides[1] != opposite)) {
+      break;
+    }
+    const std::size_t other = next->sides[0] == opposite ? 1 : 0;
+    out = {.point = next->ends[other] + glm::vec2(at - pixel),
+           .exact = std::max(out.exact, next->exact)};
+    side = next->sides[other];
+    if (glm::distance(out.point, border.ends[end]) >= far_enough) {
+      return out;
     }
   }
   return std::nullopt;
@@ -72,15 +81,15 @@ const Border* BorderRow::find(int column) const {
              : nullptr;
 }
 
-glm::vec4 bend(const std::vector<BorderRow>& rows, int column, int row) {
+float bend(const std::vector<BorderRow>& rows, int column, int row) {
   const glm::ivec2 pixel(column, row);
   const Border* border = border_at(rows, pixel);
   const auto before = beyond(rows, pixel, *border, 0);
   const auto after = beyond(rows, pixel, *border, 1);
   const glm::vec2 chord = border->ends[1] - border->ends[0];
   const float length = glm::length(chord);
-  if (!before || !after || !(length > 1e-3f)) {
-    return glm::vec4(0.0f);
+  if ((!before && !after) || !(length > 1e-3f)) {
+    return 0.0f;
   }
   // Along the chord, and to its left as the picture is seen, with y downwards.
   const glm::vec2 along = chord / length;
@@ -92,17 +101,17 @@ glm::vec4 bend(const std::vector<BorderRow>& rows, int column, int row) {
   const auto bends = [&](const Beyond& on) {
     return bending(in_frame(on.point), length, 2.0f * std::max(border->exact, on.exact));
   };
-  const float one = bends(*before);
-  const float other = bends(*after);
+  // Where the border is lost from sight on one side, in a pixel with more in it, the other tells.
+  const float one = bends(before ? *before : *after);
+  const float other = bends(after ? *after : *before);
   if (!(one * other > 0.0f)) {
-    return glm::vec4(0.0f);
+    return 0.0f;
   }
   const float c = std::abs(one) < std::abs(other) ? one : other;
   // The integral of the parabola, which is below zero where c is above; and no more than a border
   // can bend within a pixel.
   constexpr float most = 0.125f;
-  const float area = glm::clamp(-c * length * length * length / 6.0f, -most, most);
-  return area * (border->right - border->left);
+  return glm::clamp(-c * length * length * length / 6.0f, -most, most);
 }
 
 }  // namespace raycat

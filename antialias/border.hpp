@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "antialias/sampler.hpp"
+
 namespace raycat {
 
 /// The straight border that a pixel has been cut by.
@@ -19,6 +21,8 @@ struct Border {
   float exact = 0.0f;    ///< how far the ends may be from where they are said to be
   glm::vec4 left{0.0f};  ///< what is seen on the left of the way from the first end to the second
   glm::vec4 right{0.0f};
+  TreeId left_tree{};
+  TreeId right_tree{};
 };
 
 /// The borders of a row of pixels, by column.
@@ -34,9 +38,10 @@ class BorderRow {
   std::vector<Border> borders_;
 };
 
-/// What is to be added to a pixel since its border is not straight: it goes on in the pixels beside
-/// it, as `rows` have them, and bends from one to the next. A border that bends one way is taken
-/// for a parabola; one that turns a corner, or ends, for straight. Costs no ray.
-glm::vec4 bend(const std::vector<BorderRow>& rows, int column, int row);
+/// How much of a pixel is on the right of its border that a straight one would have on its left:
+/// the border goes on in the pixels beside it, as `rows` have them, and bends from one to the next.
+/// One that bends one way is taken for a parabola; one that turns a corner for straight.
+/// Costs no ray.
+float bend(const std::vector<BorderRow>& rows, int column, int row);
 
 }  // namespace raycat

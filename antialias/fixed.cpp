@@ -93,6 +93,7 @@ SmoothPicture::SmoothPicture(int width_in, int height_in)
 
 SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings, int side) {
   SmoothPicture out(settings.width, settings.height);
+  out.coverage.resize(settings.coverage ? out.colour.size() : 0);
   RowProgress progress(settings.progress, settings.height);
   parallel_rows(settings.height, settings.threads, [&](int y, int worker) {
     const float share = 1.0f / static_cast<float>(side * side);
@@ -100,7 +101,12 @@ SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings,
       Mean sum;
       for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-          sum = sum + mean_of(sampler.sample({x + (i + 0.5) / side, y + (j + 0.5) / side}, worker));
+          const ColourSample sample =
+              sampler.sample({x + (i + 0.5) / side, y + (j + 0.5) / side}, worker);
+          sum = sum + mean_of(sample);
+          if (settings.coverage) {
+            out.coverage[out.index(x, y)].push_back({.tree = sample.tree, .share = share});
+          }
         }
       }
       out.colour[out.index(x, y)] = share * sum.colour;

@@ -37,12 +37,12 @@ SampleLattice::Place SampleLattice::place(const glm::ivec2& point) const {
   const int y = point.y % units_;
   const std::size_t first = buckets_a_corner * corner(column, row);
   if (y == 0) {
-    return {.bucket = first, .key = static_cast<std::uint16_t>(x)};
+    return {.bucket = first, .key = static_cast<std::uint32_t>(x)};
   }
   if (x == 0) {
-    return {.bucket = first + 1, .key = static_cast<std::uint16_t>(y)};
+    return {.bucket = first + 1, .key = static_cast<std::uint32_t>(y)};
   }
-  return {.bucket = first + 2, .key = static_cast<std::uint16_t>(y * units_ + x)};
+  return {.bucket = first + 2, .key = static_cast<std::uint32_t>(y * units_ + x)};
 }
 
 const ColourSample& SampleLattice::at(const glm::ivec2& point, int worker, bool* fresh) {
@@ -124,7 +124,7 @@ void SampleLattice::between(const glm::ivec2& start, const glm::ivec2& end,
   const int length = along_x ? end.x - start.x : end.y - start.y;
   auto at = std::ranges::lower_bound(bucket->entries, first.key, {}, &Entry::place);
   for (; at != bucket->entries.end(); ++at) {
-    const int distance = at->place - first.key;
+    const int distance = static_cast<int>(at->place - first.key);
     if (distance / stride >= length - 1) {
       break;
     }

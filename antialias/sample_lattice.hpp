@@ -70,7 +70,7 @@ class SampleLattice {
 
  private:
   struct Side {
-    std::uint16_t place = 0;
+    std::uint32_t place = 0;
     TreeId a{};
     TreeId b{};
     std::optional<TreeId> is;
@@ -78,7 +78,7 @@ class SampleLattice {
 
   // The samples on one border of a pixel, or within it, in the order of their places there.
   struct Entry {
-    std::uint16_t place = 0;
+    std::uint32_t place = 0;
     const ColourSample* sample = nullptr;
   };
   struct Bucket {
@@ -87,7 +87,7 @@ class SampleLattice {
   };
   struct Place {
     std::size_t bucket = 0;
-    std::uint16_t key = 0;
+    std::uint32_t key = 0;
   };
   struct alignas(64) PerWorker {
     SampleCounts counts;

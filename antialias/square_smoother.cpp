@@ -80,11 +80,19 @@ glm::vec4 SquareSmoother::integrate(const Square& square) {
   return as_parts(square, corners);
 }
 
+// The mean of the corners, which cover a quarter each of a share of the square.
+glm::vec4 SquareSmoother::mean_of(const Square& square, const Corners& corners, float share) {
+  for (const ColourSample* corner : corners) {
+    cover(corner->tree, 0.25f * share * area(square));
+  }
+  return mean(corners);
+}
+
 // In four, each integrated by itself. The samples that this puts on the pixel's borders tell its
 // neighbours something.
 glm::vec4 SquareSmoother::part(const Square& square) {
   if (square.size <= lattice_.units() >> deepest) {
-    return mean(square.corners(lattice_, worker_));
+    return mean_of(square, square.corners(lattice_, worker_));
   }
   const int half = square.size / 2;
   const int units = lattice_.units();
@@ -170,7 +178,7 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
   if (error > allowed) {
     return std::nullopt;
   }
-  return mean(corners) - correction;
+  return mean_of(square, corners) - correction;
 }
 
 // Corners start with a label for each tree, or each for itself where colours decide, and labels are
@@ -248,7 +256,8 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
   }
   const ColourSample& centre = sample(square.at + square.size / 2);
   if (labels.apart * a / 8.0f < settings_.error) {
-    return 0.5f * (mean(corners) + value(centre));
+    cover(centre.tree, 0.5f * a);
+    return 0.5f * (mean_of(square, corners, 0.5f) + value(centre));
   }
   return part(square);
 }
@@ -274,7 +283,7 @@ std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corn
       }
     }
   }
-  return mean(corners);
+  return mean_of(square, corners);
 }
 
 // Which corner's label a sample has: of the same tree, or where colours decide, of the nearest
@@ -558,6 +567,17 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
       return std::nullopt;
     }
   }
+  // Each corner stands for its part of what its label covers.
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    const int label = regions[r].label;
+    const float share =
+        parts[r].area * a / static_cast<float>(std::ranges::count(labels.of, label));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (labels.of[i] == label) {
+        cover(corners[i]->tree, share);
+      }
+    }
+  }
   if (square.size == lattice_.units()) {
     const glm::vec2 middle = 0.5f * (start + end);
     const glm::vec2 from = parts[0].centre - start;
@@ -566,11 +586,18 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
       const std::size_t i = left == first_is_left ? 0 : 1;
       return seen[i]->plane ? seen[i]->at(middle) : parts[i].mean;
     };
+    const auto tree_on = [&](bool left) {
+      const int label = regions[left == first_is_left ? 0 : 1].label;
+      const auto corner = std::ranges::find(labels.of, label) - labels.of.begin();
+      return corners[static_cast<std::size_t>(corner)]->tree;
+    };
     result_.cut = Border{.ends = {start, end},
                          .sides = {crossed[0], crossed[1]},
                          .exact = std::max(first->exact, second->exact),
                          .left = on(true),
-                         .right = on(false)};
+                         .right = on(false),
+                         .left_tree = tree_on(true),
+                         .right_tree = tree_on(false)};
   }
   return sum;
 }

@@ -19,11 +19,12 @@ class SquareSmoother {
  public:
   /// Keeps references. The lattice must have its corners, and units that can be halved as often as
   /// a border is followed.
-  SquareSmoother(SampleLattice& lattice, const AdaptiveSettings& settings, int worker)
-      : lattice_(lattice), settings_(settings), worker_(worker) {}
+  SquareSmoother(SampleLattice& lattice, const AdaptiveSettings& settings, bool covers, int worker)
+      : lattice_(lattice), settings_(settings), covers_(covers), worker_(worker) {}
 
   /// What a pixel is, colour and alpha, and what it has put on its borders that was not there.
   struct Result {
+    std::vector<TreeShare> shares;  ///< that sum to 1, if they are wanted; trees may be there twice
     glm::vec4 mean{0.0f};
     bool refined = false;
     std::array<bool, 4> borders{};  ///< left, right, above, below
@@ -63,6 +64,12 @@ class SquareSmoother {
   };
   using Plane = std::array<glm::vec4, 3>;  // value, and its change along x and y
 
+  void cover(TreeId tree, float share) {
+    if (covers_) {
+      result_.shares.push_back({.tree = tree, .share = share});
+    }
+  }
+  glm::vec4 mean_of(const Square& square, const Corners& corners, float share = 1.0f);
   const ColourSample& sample(const glm::ivec2& point);
   float area(const Square& square) const;
 
@@ -96,6 +103,7 @@ class SquareSmoother {
 
   SampleLattice& lattice_;
   const AdaptiveSettings& settings_;
+  bool covers_;
   int worker_;
   Result result_;
   std::vector<SampleLattice::OnSide> on_side_;

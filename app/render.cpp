@@ -13,6 +13,7 @@
 #include "app/report.hpp"
 #include "io/image_file.hpp"
 #include "io/indexed_png.hpp"
+#include "io/layer_file.hpp"
 #include "io/output_file.hpp"
 #include "render/edge_class_palette.hpp"
 #include "render/paint.hpp"
@@ -59,7 +60,7 @@ void find_edges(const RenderOptions& options, const Accel& accel, const Camera& 
   }
 }
 
-// Without the level of detail of the maps: what is smooth does not depend on them.
+// The picture does not depend on the level of detail of the maps; its coverage does.
 void smooth_picture(const RenderOptions& options, const Accel& accel, const Camera& camera,
                     const RenderSettings& settings, Rendered& rendered) {
   ProgressBar bar(options.common.scene, options.common.quiet);
@@ -69,11 +70,35 @@ void smooth_picture(const RenderOptions& options, const Accel& accel, const Came
                            {.width = settings.width,
                             .height = settings.height,
                             .threads = settings.threads,
+                            .coverage = !options.coverage.empty(),
                             .progress = bar.callback()},
                            options.antialias);
   rendered.colour = Image(settings.width, settings.height);
   rendered.colour.pixels = rendered.smooth->colour;
   rendered.rays += sampler.rays();
+  if (!options.coverage.empty()) {
+    rendered.coverage = coverage_image(
+        *rendered.smooth, [&](TreeId id) -> const RayTree& { return sampler.tree(id); },
+        accel.scene().surfaces, settings.detail, options.ranks);
+  }
+}
+
+std::vector<Layer> layers_of(const CoverageImage& coverage) {
+  const auto ranks = static_cast<std::size_t>(coverage.ranks);
+  const auto every = [&](const auto& values, std::size_t rank) {
+    std::decay_t<decltype(values)> out;
+    for (std::size_t i = rank; i < values.size(); i += ranks) {
+      out.push_back(values[i]);
+    }
+    return out;
+  };
+  std::vector<Layer> layers;
+  for (std::size_t rank = 0; rank < ranks; ++rank) {
+    layers.push_back({.name = fmt::format("id{}", rank), .values = every(coverage.ids, rank)});
+    layers.push_back(
+        {.name = fmt::format("coverage{}", rank), .values = every(coverage.shares, rank)});
+  }
+  return layers;
 }
 
 void write_outputs(const RenderOptions& options, const Rendered& rendered,
@@ -106,6 +131,10 @@ void write_outputs(const RenderOptions& options, const Rendered& rendered,
         [&] { return region_image(rendered.categorized->categories, *rendered.regions); });
   for (const auto& [view, path] : options.views) {
     write_view(path, view);
+  }
+  if (rendered.coverage) {
+    write_layers(options.coverage, rendered.coverage->width, rendered.coverage->height,
+                 layers_of(*rendered.coverage), provenance);
   }
   if (rendered.classes) {
     write_indexed_png(

@@ -10,6 +10,7 @@
 #include "edges/refine.hpp"
 #include "io/image_file.hpp"
 #include "io/indexed_png.hpp"
+#include "io/layer_file.hpp"
 #include "io/output_file.hpp"
 
 namespace raycat::app {
@@ -135,6 +136,12 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
       ->type_name("KIND[=FILE]")
       ->expected(1)
       ->take_all();
+  output("--coverage", options.coverage,
+         "The categories that cover most of each pixel, with --aa uniform or adaptive; .exr with "
+         "channels id0, coverage0, id1 and so on");
+  command.add_option("--ranks", options.ranks, "Categories a pixel of --coverage; 6 by default")
+      ->type_name("K")
+      ->check(CLI::Range(1, 64));
   output("--stats", options.stats, "Figures about the render");
 }
 
@@ -159,6 +166,14 @@ void require_outputs(const RenderOptions& options, const ImageSize& size) {
   if (!options.edge_classes.empty()) {
     require_indexed_path(options.edge_classes);
     paths.push_back(options.edge_classes);
+  }
+  if (!options.coverage.empty()) {
+    if (options.antialias.method != Smoothing::uniform &&
+        options.antialias.method != Smoothing::adaptive) {
+      throw UsageError("--coverage: give --aa uniform or --aa adaptive, which know it");
+    }
+    require_layer_path(options.coverage);
+    paths.push_back(options.coverage);
   }
   if (!options.stats.empty()) {
     paths.push_back(options.stats);
@@ -197,9 +212,9 @@ bool wants_categories(const RenderOptions& options) {
 
 std::string reproducing_command(const RenderOptions& options, const CLI::App& command) {
   static const std::vector<std::string> left_out{
-      "SCENE",     "--threads",      "--quiet",   "--json",     "--out",
-      "--edges",   "--overlay",      "--lines",   "--selected", "--segments",
-      "--regions", "--edge-classes", "--view-as", "--stats"};
+      "SCENE",     "--threads",  "--quiet",    "--json",     "--out",     "--edges",
+      "--overlay", "--lines",    "--selected", "--segments", "--regions", "--edge-classes",
+      "--view-as", "--coverage", "--ranks",    "--stats"};
   std::string text = "raycat render " + quoted(options.common.scene);
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();

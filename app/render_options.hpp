@@ -22,6 +22,7 @@ struct RenderOptions {
   DetailOptions detail;
   int subpixel = 0;
   AntialiasOptions antialias;
+  int ranks = 6;
 
   std::string out;
   std::string edges;
@@ -33,6 +34,7 @@ struct RenderOptions {
   std::string regions;
   std::vector<std::pair<View, std::string>> views;  ///< in files of their own
   std::optional<View> view_as;                      ///< in place of the picture
+  std::string coverage;
   std::string stats;
 };
 

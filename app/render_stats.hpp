@@ -10,6 +10,7 @@
 #include "edges/edge_map.hpp"
 #include "edges/refine.hpp"
 #include "edges/regions.hpp"
+#include "render/coverage.hpp"
 #include "render/render.hpp"
 
 namespace raycat::app {
@@ -28,6 +29,7 @@ struct Rendered {
   std::optional<Rendering> categorized;  ///< or without categories:
   Image colour{0, 0};
   std::optional<SmoothPicture> smooth;  ///< of the picture, if it is antialiased: then in `colour`
+  std::optional<CoverageImage> coverage;
   RayCounts rays;
 
   EdgeMap edges;

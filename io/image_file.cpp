@@ -11,6 +11,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "io/image_attributes.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "tracer/srgb.hpp"
@@ -68,6 +69,19 @@ void add_comments(std::vector<unsigned char>& file, const Provenance& from) {
 
 }  // namespace
 
+void describe(const Provenance& provenance, bool linear, OIIO::ImageSpec& spec) {
+  spec.attribute("oiio:ColorSpace", linear ? "linear" : "sRGB");
+  spec.attribute("Software", one_line(provenance.command));
+  spec.attribute("ImageDescription", one_line(fmt::format("scene {}", provenance.scene)));
+  if (!provenance.legend.empty()) {
+    spec.attribute("Legend", one_line(provenance.legend));
+  }
+  if (linear) {
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "1970:01:01 00:00:00");  // or the time of day makes files differ
+  }
+}
+
 void require_image_path(const fs::path& path) {
   if (format_of(path).empty()) {
     throw std::invalid_argument(fmt::format("{}: images end in .png, .exr or .ppm", path.string()));
@@ -84,16 +98,7 @@ void write_image(const fs::path& path, const Image& image, const Provenance& pro
   }
   OIIO::ImageSpec spec(image.width, image.height, 3,
                        linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", linear ? "linear" : "sRGB");
-  spec.attribute("Software", one_line(provenance.command));
-  spec.attribute("ImageDescription", one_line(fmt::format("scene {}", provenance.scene)));
-  if (!provenance.legend.empty()) {
-    spec.attribute("Legend", one_line(provenance.legend));
-  }
-  if (linear) {
-    spec.attribute("compression", "zip");
-    spec.attribute("DateTime", "1970:01:01 00:00:00");  // or the time of day makes files differ
-  }
+  describe(provenance, linear, spec);
 
   std::vector<unsigned char> file;
   OIIO::Filesystem::IOVecOutput memory(file);

@@ -21,6 +21,8 @@ class SceneSampler : public Sampler {
   std::optional<TreeId> side(const glm::dvec2& point, TreeId a, TreeId b, int worker) override;
   bool tells_cheaply(TreeId a, TreeId b) override;
 
+  const RayTree& tree(TreeId id) const { return trees_.tree(id); }
+
   /// Rays traced so far. Not while others sample.
   RayCounts rays() const;
 

@@ -130,6 +130,57 @@ TEST_CASE("the picture and its rays are the same whatever the number of threads"
   CHECK(a.refined == b.refined);
 }
 
+// How much of each pixel the tree numbered 1 covers.
+double covered(const SmoothPicture& picture, std::size_t pixel) {
+  double sum = 0.0;
+  double all = 0.0;
+  for (const TreeShare& each : picture.coverage[pixel]) {
+    sum += each.tree == TreeId{1} ? static_cast<double>(each.share) : 0.0;
+    all += static_cast<double>(each.share);
+  }
+  CHECK(all == Approx(1.0).epsilon(1e-5));
+  return sum;
+}
+
+TEST_CASE("coverage of a half-plane and of a circle is right within a five-hundredth",
+          "[antialias][coverage]") {
+  SmoothSettings settings = of(100, 100);
+  settings.coverage = true;
+  const glm::dvec2 normal(0.6, 0.8);
+  const glm::dvec2 point(45.1, 44.7);
+  Picture plane = two_colours([&](const glm::dvec2& p) {
+    return normal.x * (p.x - point.x) + normal.y * (p.y - point.y) < 0.0;
+  });
+  const SmoothPicture half = smooth_adaptively(plane, settings, {.error = 0.0005f});
+  const glm::dvec2 centre(50.3, 49.6);
+  constexpr double radius = 44.0;
+  Picture disc = two_colours(
+      [&](const glm::dvec2& p) { return std::hypot(p.x - centre.x, p.y - centre.y) < radius; });
+  const SmoothPicture round = smooth_adaptively(disc, settings, {.error = 0.0005f});
+  double worst_half = 0.0;
+  double worst_round = 0.0;
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      const std::size_t pixel = half.index(x, y);
+      if (std::abs(normal.x * (x + 0.5 - point.x) + normal.y * (y + 0.5 - point.y)) < 1.0) {
+        worst_half =
+            std::max(worst_half, std::abs(covered(half, pixel) - share_below(x, y, point, normal)));
+      }
+      constexpr int lines = 500;
+      double inside = 0.0;
+      for (int i = 0; i < lines; ++i) {
+        const double dx = x + (i + 0.5) / lines - centre.x;
+        const double reach = std::sqrt(std::max(0.0, radius * radius - dx * dx));
+        inside += std::max(0.0, std::min(centre.y + reach, y + 1.0) -
+                                    std::max(centre.y - reach, static_cast<double>(y)));
+      }
+      worst_round = std::max(worst_round, std::abs(covered(round, pixel) - inside / lines));
+    }
+  }
+  CHECK(worst_half < 1.0 / 500);
+  CHECK(worst_round < 1.0 / 500);
+}
+
 // From `low` to `high`, in steps of a thousandth of that.
 double in_range(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;

@@ -117,6 +117,8 @@ TEST_CASE("bad usage is one line and exit code 2", "[app][bad]") {
       "render " + fig1 + out + " --min-weight 2",
       "render " + fig1 + out + " --aa best",
       "render " + fig1 + out + " --quality 0.1",
+      "render " + fig1 + " --aa whitted --coverage '" + (folder / "c.exr") + "'",
+      "render " + fig1 + " --aa adaptive --coverage '" + (folder / "c.png") + "'",
       "render " + fig1 + out + " --aa adaptive --samples 4",
       "render " + fig1 + out + " --aa adaptive --quality 0",
       "render " + fig1 + out + " --aa whitted --samples 3",
