@@ -5,22 +5,11 @@
 #include <array>
 
 #include "antialias/antialias.hpp"
-#include "antialias/colour_distance.hpp"
 #include "antialias/over_lattice.hpp"
 #include "tracer/row_progress.hpp"
 
 namespace raycat {
 namespace {
-
-float farthest(const Corners& corners) {
-  float distance = 0.0f;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (std::size_t j = i + 1; j < corners.size(); ++j) {
-      distance = std::max(distance, distance_of(corners[i]->colour, corners[j]->colour));
-    }
-  }
-  return distance;
-}
 
 bool several_categories(const Corners& corners) {
   return std::ranges::any_of(corners, [&](const ColourSample* corner) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "antialias/antialias.hpp"
+#include "antialias/colour_distance.hpp"
 #include "tracer/parallel.hpp"
 
 namespace raycat {
@@ -28,6 +32,17 @@ using Corners = std::array<const ColourSample*, 4>;
 inline Mean mean_of(const Corners& corners) {
   return 0.25f * ((mean_of(*corners[0]) + mean_of(*corners[1])) +
                   (mean_of(*corners[2]) + mean_of(*corners[3])));
+}
+
+/// The greatest distance of two corners' colours.
+inline float farthest(const Corners& corners) {
+  float distance = 0.0f;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      distance = std::max(distance, distance_of(corners[i]->colour, corners[j]->colour));
+    }
+  }
+  return distance;
 }
 
 /// A square on the lattice.

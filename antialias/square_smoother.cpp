@@ -5,8 +5,6 @@
 
 #include <glm/common.hpp>
 
-#include "antialias/colour_distance.hpp"
-
 namespace raycat {
 namespace {
 
@@ -16,31 +14,9 @@ constexpr int deepest = 4;  // times that a pixel is parted
 constexpr std::array<std::size_t, 4> turn{0, 1, 3, 2};
 constexpr std::array<glm::ivec2, 4> turn_at{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-glm::vec4 value(const ColourSample& sample) {
-  return {sample.colour, sample.background ? 0.0f : 1.0f};
-}
-
 glm::vec4 mean(const Corners& corners) {
   return 0.25f *
          ((value(*corners[0]) + value(*corners[1])) + (value(*corners[2]) + value(*corners[3])));
-}
-
-float magnitude(const glm::vec4& difference) {
-  return distance_of(glm::vec3(difference), glm::vec3(0.0f));
-}
-
-float distance_of(const ColourSample& a, const ColourSample& b) {
-  return raycat::distance_of(a.colour, b.colour);
-}
-
-float farthest(const Corners& corners) {
-  float distance = 0.0f;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (std::size_t j = i + 1; j < corners.size(); ++j) {
-      distance = std::max(distance, distance_of(*corners[i], *corners[j]));
-    }
-  }
-  return distance;
 }
 
 }  // namespace
@@ -181,69 +157,11 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
   return mean_of(square, corners) - correction;
 }
 
-// Corners start with a label for each tree, or each for itself where colours decide, and labels are
-// joined while all their corners are less than the threshold apart (complete linkage).
-SquareSmoother::Labels SquareSmoother::label(const Corners& corners, float threshold) const {
-  Labels labels;
-  const bool by_colour =
-      !settings_.categories || std::ranges::all_of(corners, [&](const ColourSample* corner) {
-        return corner->tree == corners[0]->tree;
-      });
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    labels.of[i] = static_cast<int>(i);
-    for (std::size_t j = 0; j < i && !by_colour; ++j) {
-      if (corners[j]->tree == corners[i]->tree) {
-        labels.of[i] = labels.of[j];
-        break;
-      }
-    }
-  }
-  const auto apart = [&](int a, int b) {
-    float distance = 0.0f;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      for (std::size_t j = 0; j < corners.size(); ++j) {
-        if (labels.of[i] == a && labels.of[j] == b) {
-          distance = std::max(distance, distance_of(*corners[i], *corners[j]));
-        }
-      }
-    }
-    return distance;
-  };
-  for (;;) {
-    float nearest = threshold;
-    std::pair<int, int> join(-1, -1);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (labels.of[i] != labels.of[j]) {
-          const float distance = apart(labels.of[j], labels.of[i]);
-          if (distance < nearest) {
-            nearest = distance;
-            join = {labels.of[j], labels.of[i]};
-          }
-        }
-      }
-    }
-    if (join.first < 0) {
-      break;
-    }
-    std::ranges::replace(labels.of, join.second, join.first);
-  }
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto before = labels.of.begin() + static_cast<std::ptrdiff_t>(i);
-    labels.count += std::find(labels.of.begin(), before, labels.of[i]) == before ? 1 : 0;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (labels.of[i] != labels.of[j]) {
-        labels.apart = std::max(labels.apart, distance_of(*corners[i], *corners[j]));
-      }
-    }
-  }
-  return labels;
-}
-
 glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners) {
   const float a = area(square);
   const float greatest = farthest(corners);
-  const Labels labels = label(corners, std::max(2.0f * settings_.error / a, 0.2f * greatest));
+  const CornerLabels labels = label_corners(corners, !settings_.categories,
+                                            std::max(2.0f * settings_.error / a, 0.2f * greatest));
   if (labels.count == 1 || labels.apart * a / 4.0f < settings_.error) {
     const auto one = as_one(square, corners, greatest);
     return one ? *one : part(square);
@@ -278,7 +196,7 @@ std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corn
       const float at = static_cast<float>(met.from_start) / static_cast<float>(square.size);
       const glm::vec3 expected =
           glm::mix(corners[turn[from]]->colour, corners[turn[to]]->colour, at);
-      if (raycat::distance_of(met.sample->colour, expected) > allowed) {
+      if (distance_of(met.sample->colour, expected) > allowed) {
         return std::nullopt;
       }
     }
@@ -286,33 +204,11 @@ std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corn
   return mean_of(square, corners);
 }
 
-// Which corner's label a sample has: of the same tree, or where colours decide, of the nearest
-// colour. -1 if it is of none.
-int SquareSmoother::label_of(const ColourSample& sample, const Corners& corners,
-                             const Labels& labels) const {
-  for (std::size_t i = 0; i < corners.size() && settings_.categories; ++i) {
-    if (corners[i]->tree == sample.tree && !corners[i]->textured) {
-      return labels.of[i];
-    }
-  }
-  const bool by_colour = !settings_.categories || sample.textured;
-  if (!by_colour) {
-    return -1;
-  }
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    if (distance_of(*corners[i], sample) < distance_of(*corners[nearest], sample)) {
-      nearest = i;
-    }
-  }
-  return labels.of[nearest];
-}
-
 // Halves the part of a side in which the label changes, `steps` times. Nothing if a sample is of
 // neither label and of a colour of its own.
 std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& square,
                                                               const Corners& corners,
-                                                              const Labels& labels, int side,
+                                                              const CornerLabels& labels, int side,
                                                               int steps) {
   const auto i = static_cast<std::size_t>(side);
   const std::size_t j = (i + 1) % 4;
@@ -322,17 +218,17 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& squa
   const ColourSample* at_high = corners[turn[j]];
   const int before = labels.of[turn[i]];
   const int after = labels.of[turn[j]];
-  const float ends = distance_of(*at_low, *at_high);
+  const float ends = distance_of(at_low->colour, at_high->colour);
   const float a = area(square);
   int low = 0;
   int high = square.size;
   for (int step = 0; step < steps && high - low > 1; ++step) {
     const int middle = (low + high) / 2;
     const ColourSample& met = sample(start + middle * along);
-    int label = label_of(met, corners, labels);
+    int label = label_of(met, corners, labels, !settings_.categories);
     if (label != before && label != after) {
-      const float to_before = distance_of(met, *at_low);
-      const float to_after = distance_of(met, *at_high);
+      const float to_before = distance_of(met.colour, at_low->colour);
+      const float to_after = distance_of(met.colour, at_high->colour);
       const float nearest = std::min(to_before, to_after);
       if (!(nearest < 0.35f * ends || nearest * a / 4.0f < settings_.error)) {
         return std::nullopt;
@@ -356,8 +252,8 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& squa
 // The same by rays that only tell the two trees apart; what is beside the crossing, the surfaces of
 // its labels show. Nothing if a ray is of neither.
 std::optional<SquareSmoother::Crossing> SquareSmoother::cross_cheaply(
-    const Square& square, const Corners& corners, const std::array<Surface, 4>& surfaces,
-    const Labels& labels, int side, int steps) {
+    const Square& square, const Corners& corners, const std::array<SurfaceFit, 4>& surfaces,
+    const CornerLabels& labels, int side, int steps) {
   const auto i = static_cast<std::size_t>(side);
   const std::size_t j = (i + 1) % 4;
   const glm::ivec2 start = square.at + square.size * turn_at[i];
@@ -383,89 +279,26 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross_cheaply(
                   .after = surfaces[static_cast<std::size_t>(labels.of[turn[j]])].at(point)};
 }
 
-void SquareSmoother::Region::add(const glm::vec2& point, const glm::vec4& value) {
-  points[static_cast<std::size_t>(size)] = point;
-  values[static_cast<std::size_t>(size)] = value;
-  ++size;
-}
-
-// Of the values of a convex region's corners, interpolated in the triangles of a fan.
-SquareSmoother::Integral SquareSmoother::integral(const Region& region) {
-  Integral sum;
-  for (int k = 1; k + 1 < region.size; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const glm::vec2 u = region.points[i] - region.points[0];
-    const glm::vec2 v = region.points[i + 1] - region.points[0];
-    const float triangle = 0.5f * std::abs(u.x * v.y - u.y * v.x);
-    constexpr float third = 1.0f / 3.0f;
-    sum.area += triangle;
-    sum.centre += triangle * third * (region.points[0] + region.points[i] + region.points[i + 1]);
-    sum.mean += triangle * third * (region.values[0] + region.values[i] + region.values[i + 1]);
-  }
-  if (sum.area > 0.0f) {
-    sum.centre /= sum.area;
-    sum.mean /= sum.area;
-  } else {
-    sum.centre = region.points[0];
-    sum.mean = region.values[0];
-  }
-  return sum;
-}
-
-glm::vec4 SquareSmoother::Surface::at(const glm::vec2& point) const {
-  return plane ? (*plane)[0] + point.x * (*plane)[1] + point.y * (*plane)[2] : mean;
-}
-
-SquareSmoother::Surface SquareSmoother::surface(const Square& square, const Corners& corners,
-                                                const Labels& labels, int label) {
+// What the samples of a label show among the sixteen of a square and around it, one square's side
+// apart.
+SurfaceFit SquareSmoother::surface(const Square& square, const Corners& corners,
+                                   const CornerLabels& labels, int label) {
   std::array<std::pair<glm::vec2, glm::vec4>, 16> met;
   std::size_t count = 0;
   for (int j = -1; j <= 2; ++j) {
     for (int i = -1; i <= 2; ++i) {
       const ColourSample* sample = lattice_.find(square.at + square.size * glm::ivec2(i, j));
-      if (sample != nullptr && label_of(*sample, corners, labels) == label) {
+      if (sample != nullptr && label_of(*sample, corners, labels, !settings_.categories) == label) {
         met[count++] = {glm::vec2(i, j), value(*sample)};
       }
     }
   }
-  Surface out;
-  const auto n = static_cast<float>(count);
-  glm::vec2 centre(0.0f);
-  glm::vec4 low(2.0f);
-  glm::vec4 high(-2.0f);
-  for (std::size_t k = 0; k < count; ++k) {
-    centre += met[k].first / n;
-    out.mean += met[k].second / n;
-    low = glm::min(low, met[k].second);
-    high = glm::max(high, met[k].second);
-  }
-  out.range = magnitude(high - low);
-  float xx = 0.0f;
-  float xy = 0.0f;
-  float yy = 0.0f;
-  glm::vec4 x_values(0.0f);
-  glm::vec4 y_values(0.0f);
-  for (std::size_t k = 0; k < count; ++k) {
-    const glm::vec2 d = met[k].first - centre;
-    const glm::vec4 v = met[k].second - out.mean;
-    xx += d.x * d.x;
-    xy += d.x * d.y;
-    yy += d.y * d.y;
-    x_values += d.x * v;
-    y_values += d.y * v;
-  }
-  const float determinant = xx * yy - xy * xy;
-  if (count >= 3 && determinant > 1e-3f) {
-    const glm::vec4 along_x = (yy * x_values - xy * y_values) / determinant;
-    const glm::vec4 along_y = (xx * y_values - xy * x_values) / determinant;
-    out.plane = Plane{out.mean - centre.x * along_x - centre.y * along_y, along_x, along_y};
-  }
-  return out;
+  return fit(std::span(met).first(count));
 }
 
 // Two regions with a straight border between them; nothing if something is against it.
 std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corners& corners,
-                                                const Labels& labels) {
+                                                const CornerLabels& labels) {
   const float a = area(square);
   std::array<int, 4> crossed{};
   int crossings = 0;
@@ -480,7 +313,7 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   }
   const int steps = std::max(
       1, static_cast<int>(std::ceil(std::log2(labels.apart * a / (4.0f * settings_.error)))));
-  std::array<Surface, 4> surfaces;
+  std::array<SurfaceFit, 4> surfaces;
   std::array<bool, 4> is_label{};
   for (const int label : labels.of) {
     const auto i = static_cast<std::size_t>(label);
@@ -514,8 +347,8 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   };
   const glm::vec2 start = point_on(crossed[0], first->at);
   const glm::vec2 end = point_on(crossed[1], second->at);
-  Region regions[2];
-  const auto add_corner = [&](Region& region, int corner) {
+  SquareRegion regions[2];
+  const auto add_corner = [&](SquareRegion& region, int corner) {
     const auto i = static_cast<std::size_t>(corner % 4);
     region.label = labels.of[turn[i]];
     region.add(glm::vec2(turn_at[i]), value(*corners[turn[i]]));
@@ -532,8 +365,8 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   regions[1].add(start, first->before);
 
   glm::vec4 sum(0.0f);
-  std::array<Integral, 2> parts;
-  std::array<const Surface*, 2> seen{};
+  std::array<RegionIntegral, 2> parts;
+  std::array<const SurfaceFit*, 2> seen{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i] = integral(regions[i]);
     sum += parts[i].area * parts[i].mean;
@@ -553,7 +386,7 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
     };
     const bool in_first = side_of(glm::vec2(0.5f)) == side_of(parts[0].centre);
     const std::size_t is = in_first ? 0 : 1;
-    const int met = label_of(centre, corners, labels);
+    const int met = label_of(centre, corners, labels, !settings_.categories);
     float error = 0.0f;
     if (met == regions[1 - is].label) {
       error = parts[is].area < 0.62f

@@ -9,7 +9,9 @@
 
 #include "antialias/adaptive.hpp"
 #include "antialias/border.hpp"
+#include "antialias/corner_labels.hpp"
 #include "antialias/over_lattice.hpp"
+#include "antialias/square_region.hpp"
 
 namespace raycat {
 
@@ -33,13 +35,6 @@ class SquareSmoother {
   Result smooth(int x, int y);
 
  private:
-  // Corners by label: those of one label are taken for one surface.
-  struct Labels {
-    std::array<int, 4> of{};
-    int count = 0;
-    float apart = 0.0f;  // the greatest distance of two corners of different labels
-  };
-
   // Where the border between two labels crosses a side.
   struct Crossing {
     float at = 0.5f;         // from the side's start, of its length
@@ -47,22 +42,6 @@ class SquareSmoother {
     glm::vec4 before{0.0f};  // what is just before it and just after
     glm::vec4 after{0.0f};
   };
-
-  // A part of a square that has one label, in units of the square's side.
-  struct Region {
-    std::array<glm::vec2, 5> points{};
-    std::array<glm::vec4, 5> values{};
-    int size = 0;
-    int label = 0;
-
-    void add(const glm::vec2& point, const glm::vec4& value);
-  };
-  struct Integral {
-    float area = 0.0f;
-    glm::vec2 centre{0.0f};
-    glm::vec4 mean{0.0f};
-  };
-  using Plane = std::array<glm::vec4, 3>;  // value, and its change along x and y
 
   void cover(TreeId tree, float share) {
     if (covers_) {
@@ -80,26 +59,14 @@ class SquareSmoother {
   glm::vec4 as_parts(const Square& square, const Corners& corners);
   std::optional<glm::vec4> as_one(const Square& square, const Corners& corners, float diff);
   std::optional<glm::vec4> as_two(const Square& square, const Corners& corners,
-                                  const Labels& labels);
-  Labels label(const Corners& corners, float threshold) const;
-  int label_of(const ColourSample& sample, const Corners& corners, const Labels& labels) const;
-  // What the samples of a label show among the sixteen of a square and around it, one square's side
-  // apart.
-  struct Surface {
-    std::optional<Plane> plane;  // that fits them best, if they tell one
-    float range = 0.0f;          // how far their colours are apart at most
-    glm::vec4 mean{0.0f};
-
-    glm::vec4 at(const glm::vec2& point) const;
-  };
-
-  std::optional<Crossing> cross(const Square& square, const Corners& corners, const Labels& labels,
-                                int side, int steps);
+                                  const CornerLabels& labels);
+  std::optional<Crossing> cross(const Square& square, const Corners& corners,
+                                const CornerLabels& labels, int side, int steps);
   std::optional<Crossing> cross_cheaply(const Square& square, const Corners& corners,
-                                        const std::array<Surface, 4>& surfaces,
-                                        const Labels& labels, int side, int steps);
-  Surface surface(const Square& square, const Corners& corners, const Labels& labels, int label);
-  static Integral integral(const Region& region);
+                                        const std::array<SurfaceFit, 4>& surfaces,
+                                        const CornerLabels& labels, int side, int steps);
+  SurfaceFit surface(const Square& square, const Corners& corners, const CornerLabels& labels,
+                     int label);
 
   SampleLattice& lattice_;
   const AdaptiveSettings& settings_;

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "antialias/colour_distance.hpp"
+#include "antialias/sampler.hpp"
+
+namespace raycat {
+
+/// Colour and alpha of a sample.
+inline glm::vec4 value(const ColourSample& sample) {
+  return {sample.colour, sample.background ? 0.0f : 1.0f};
+}
+
+/// How much a difference of values counts: its colour.
+inline float magnitude(const glm::vec4& difference) {
+  return distance_of(glm::vec3(difference), glm::vec3(0.0f));
+}
+
+/// A convex part of a square, in units of the square's side, with a value at each corner.
+struct SquareRegion {
+  std::array<glm::vec2, 5> points{};
+  std::array<glm::vec4, 5> values{};
+  int size = 0;
+  int label = 0;
+
+  void add(const glm::vec2& point, const glm::vec4& value);
+};
+
+/// Of a region, its values interpolated in the triangles of a fan.
+struct RegionIntegral {
+  float area = 0.0f;
+  glm::vec2 centre{0.0f};
+  glm::vec4 mean{0.0f};
+};
+RegionIntegral integral(const SquareRegion& region);
+
+/// What samples of one surface show of it.
+struct SurfaceFit {
+  using Plane = std::array<glm::vec4, 3>;  ///< value, and its change along x and y
+
+  std::optional<Plane> plane;  ///< that fits them best, if they tell one
+  float range = 0.0f;          ///< how far their colours are apart at most
+  glm::vec4 mean{0.0f};
+
+  glm::vec4 at(const glm::vec2& point) const {
+    return plane ? (*plane)[0] + point.x * (*plane)[1] + point.y * (*plane)[2] : mean;
+  }
+};
+SurfaceFit fit(std::span<const std::pair<glm::vec2, glm::vec4>> samples);
+
+}  // namespace raycat
