@@ -1,7 +1,11 @@
 #include "render/scene_sampler.hpp"
 
+#include <tuple>
+
 #include <catch2/catch.hpp>
 
+#include "antialias/adaptive.hpp"
+#include "render/coverage.hpp"
 #include "render/tree_difference.hpp"
 #include "support/scenes.hpp"
 
@@ -32,7 +36,8 @@ TEST_CASE("trees differ at a node if all that differs hangs below it", "[render]
   CHECK_FALSE(difference(tree, {node(6, 5), node(2, 9), node(3, 2, 1), node(1, 0, 3)}));
 }
 
-TEST_CASE("sides told cheaply are those of whole samples", "[render][antialias]") {
+// A mirror, glass, a box and a floor under two lights.
+Scene mixed_scene() {
   SceneBuilder builder;
   const MaterialId mirror =
       builder.material({.diffuse = glm::vec3(0.2f), .reflection = glm::vec3(0.7f)});
@@ -44,9 +49,14 @@ TEST_CASE("sides told cheaply are those of whole samples", "[render][antialias]"
       .shape("floor", HalfSpace{}, at(0, -1, 0), stone)
       .light({.kind = Light::Kind::point, .position = {3, 5, 4}, .diffuse = glm::vec3(1.0f)})
       .light({.kind = Light::Kind::point, .position = {-4, 4, 2}, .diffuse = glm::vec3(1.0f)});
-  const Scene scene = builder.take();
+  return builder.take();
+}
+
+const Camera camera = look_at({0, 1, 5}, {0, 0, 0}, {0, 1, 0});
+
+TEST_CASE("sides told cheaply are those of whole samples", "[render][antialias]") {
+  const Scene scene = mixed_scene();
   const Accel accel(scene);
-  const Camera camera = look_at({0, 1, 5}, {0, 0, 0}, {0, 1, 0});
   SceneSampler sampler(accel, camera, 40, 40, 6, 1);
   int asked = 0;
   int wrong = 0;
@@ -70,6 +80,26 @@ TEST_CASE("sides told cheaply are those of whole samples", "[render][antialias]"
   }
   CHECK(asked > 500);
   CHECK(wrong == 0);
+}
+
+TEST_CASE("a scene is smoothed alike whatever the number of threads", "[render][antialias]") {
+  const Scene scene = mixed_scene();
+  const Accel accel(scene);
+  const auto smooth = [&](int threads) {
+    SceneSampler sampler(accel, camera, 60, 45, 6, threads);
+    const SmoothPicture picture = smooth_adaptively(
+        sampler, {.width = 60, .height = 45, .threads = threads, .coverage = true, .progress = {}},
+        {.error = 0.003f});
+    const CoverageImage coverage = coverage_image(
+        picture, [&](TreeId id) -> const RayTree& { return sampler.tree(id); }, scene.surfaces, {},
+        4);
+    return std::tuple(picture.colour, picture.alpha, picture.samples.colour,
+                      picture.samples.category_only, coverage.ids, coverage.shares,
+                      sampler.rays().shadow);
+  };
+  const auto one = smooth(1);
+  CHECK((smooth(4) == one));
+  CHECK(std::get<3>(one) > 0);  // rays that only told two categories apart
 }
 
 }  // namespace
