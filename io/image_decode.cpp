@@ -113,6 +113,16 @@ std::vector<std::uint8_t> expanded(const std::vector<std::uint8_t>& pixels, std:
   return rgba;
 }
 
+// Of premultiplied RGBA, which OpenImageIO makes of WebP whatever it is asked for.
+void make_straight(std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    const unsigned alpha = rgba[i + 3];
+    for (std::size_t c = i; c < i + 3 && alpha > 0; ++c) {
+      rgba[c] = static_cast<std::uint8_t>(std::min(255u, (rgba[c] * 255u + alpha / 2) / alpha));
+    }
+  }
+}
+
 }  // namespace
 
 DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels,
@@ -149,6 +159,9 @@ DecodedImage decode_image(std::span<const std::uint8_t> bytes, std::uint64_t max
   if (!input->read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::UINT8,
                          pixels.data())) {
     throw std::runtime_error(reason(input->geterror()));
+  }
+  if (std::string_view(name) == "image.webp" && channels == 4) {
+    make_straight(pixels);
   }
   return {.width = static_cast<std::uint32_t>(spec.width),
           .height = static_cast<std::uint32_t>(spec.height),

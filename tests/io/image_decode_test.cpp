@@ -47,6 +47,7 @@ TEST_CASE("a WebP image is read, if its header promises few pixels", "[io][image
   CHECK(is.height == 2);
   CHECK(is.rgba.size() == 24);
   CHECK(is.rgba[0] == 255);
+  CHECK(is.rgba[2] == 0);
   CHECK(is.rgba[3] == 128);
   CHECK_THROWS_WITH(decode(webp, 5), "6 pixels are more than the 5 allowed");
   std::string bomb = webp;
