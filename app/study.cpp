@@ -182,7 +182,7 @@ void add_study(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(128, 16384));
   command->add_flag("--quick", settings.quick,
-                    "Table 2 with a quarter of the options, against coarser references");
+                    "Table 2 with few of the options, against coarser references");
   CLI::Option* scenes =
       command
           ->add_option("--scenes", options->scenes,

@@ -119,7 +119,7 @@ SmoothPicture smoothed(const StudySettings& settings, const StudyScene& scene,
 
 // Samples a side of a pixel. The error of 24 x 24 is beyond 60 dB on these scenes.
 constexpr int reference_side = 24;
-constexpr int quick_reference_side = 8;
+constexpr int quick_reference_side = 6;
 
 Pixels reference_of(const StudySettings& settings, const StudyScene& scene, const ImageSize& size) {
   ProgressBar bar(fmt::format("{} {}x{}", scene.label, size.width, size.height), settings.quiet);
@@ -332,7 +332,7 @@ Json study_table2(const StudySettings& settings, ReportPage& page) {
   page.table(paper_table(), write_table(settings, "table2-paper", paper_table()));
   std::vector<Choice> all = choices();
   if (settings.quick) {
-    constexpr std::size_t every = 4;
+    constexpr std::size_t every = 7;
     std::size_t number = 0;
     std::erase_if(all, [&](const Choice&) { return number++ % every != 0; });
   }
