@@ -174,17 +174,17 @@ RayTree random_tree() {
 // A tree that differs from `tree` in a node or two, most often.
 RayTree altered(RayTree tree) {
   for (int changes = *rc::gen::inRange(0, 3); changes > 0 && !tree.empty(); --changes) {
-    RayNode& changed = tree[*rc::gen::inRange<std::size_t>(0, tree.size())];
+    const auto changed =
+        tree.begin() + static_cast<std::ptrdiff_t>(*rc::gen::inRange<std::size_t>(0, tree.size()));
     switch (*rc::gen::inRange(0, 3)) {
       case 0:
-        changed.lights ^= 1;
+        changed->lights ^= 1;
         break;
       case 1:
-        changed.surface = SurfaceId{*rc::gen::element<std::uint32_t>(0, 1, 6, 8, 9, 11)};
+        changed->surface = SurfaceId{*rc::gen::element<std::uint32_t>(0, 1, 6, 8, 9, 11)};
         break;
       default:
-        changed = tree.back();
-        tree.pop_back();
+        tree.erase(changed);  // the others stay in order, as in all trees that are recorded
     }
   }
   return tree;
