@@ -117,8 +117,8 @@ SmoothPicture smoothed(const StudySettings& settings, const StudyScene& scene,
       options);
 }
 
-// Samples a side of a pixel. The error of 24 x 24 is beyond 60 dB on these scenes.
-constexpr int reference_side = 24;
+// Samples a side of a pixel.
+constexpr int reference_side = 32;
 constexpr int quick_reference_side = 6;
 
 Pixels reference_of(const StudySettings& settings, const StudyScene& scene, const ImageSize& size) {
