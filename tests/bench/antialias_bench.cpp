@@ -23,7 +23,7 @@ namespace {
 
 constexpr int side = 256;
 constexpr int levels = 8;
-constexpr int reference_samples = 12;  // a side of a pixel: 60 dB and more
+constexpr int reference_samples = 12;  // a side of a pixel
 constexpr int whitted_depth = 4;
 
 using Progress = std::function<void(int done, int rows)>;
