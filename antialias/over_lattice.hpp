@@ -5,7 +5,7 @@
 
 #include "antialias/antialias.hpp"
 #include "antialias/colour_distance.hpp"
-#include "tracer/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace raycat {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracer/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace raycat {
 namespace {

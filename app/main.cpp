@@ -91,7 +91,11 @@ void add_common(CLI::App& command, CommonOptions& options) {
   add_limits(command, options.load.limits);
 }
 
-SceneFile load(const CommonOptions& options) { return load_scene(options.scene, options.load); }
+SceneFile load(const CommonOptions& options) {
+  LoadOptions load = options.load;
+  load.threads = options.threads;
+  return load_scene(options.scene, load);
+}
 
 namespace {
 

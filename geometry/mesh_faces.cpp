@@ -1,102 +1,54 @@
 #include "geometry/mesh_faces.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <stdexcept>
+#include <utility>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
+#include "geometry/parallel.hpp"
+#include "geometry/weld.hpp"
 
 namespace raycat {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t mixed(std::uint64_t bits) {
-  bits = (bits ^ bits >> 32U) * 0xd6e8feb86659fd93U;
-  return bits ^ bits >> 32U;
-}
-
-std::uint64_t hash(const glm::dvec3& point) {
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
-  return mixed(bits(point.x) + mixed(bits(point.y) + mixed(bits(point.z))));
-}
-
-bool finite(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-/// Sets that are joined two at a time.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-
-  std::uint32_t find(std::uint32_t i) noexcept {
-    while (parent_[i] != i) {
-      i = parent_[i] = parent_[parent_[i]];
-    }
-    return i;
-  }
-
-  // The lower root stays, so that roots are first members.
-  void join(std::uint32_t a, std::uint32_t b) noexcept {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Welded triangles, and which of them are of one face.
 class FaceGrouping {
  public:
   FaceGrouping(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
-               std::span<const glm::vec3> normals, const FaceRule& rule)
+               std::span<const glm::vec3> normals, const FaceRule& rule, int threads)
       : triangles_(triangles),
         authored_normals_(normals),
-        welded_(weld(positions)),
+        threads_(threads),
+        welded_(weld(positions, threads)),
         vertices_(triangles.size()),
         normals_(triangles.size()),
         same_normal_(std::cos(rule.same_normal)),
         // The chord, unlike the cosine, tells small angles apart.
         crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
+        edges_(vertices_, 0),
         sets_(triangles.size()) {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const glm::uvec3& t = triangles[i];
-      vertices_[i] = {welded_[t.x], welded_[t.y], welded_[t.z]};
-      normals_[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
-    }
-    edges_ = edge_uses(vertices_, positions.size());
+    parallel_parts(triangles.size(), threads, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const glm::uvec3& t = triangles[i];
+        vertices_[i] = {welded_[t.x], welded_[t.y], welded_[t.z]};
+        normals_[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
+      }
+    });
+    edges_ = EdgeUses(vertices_, positions.size(), threads);
   }
 
   void join_smooth_edges() {
-    // So many triangles around one edge are no surface, and all their pairs too many to try.
-    constexpr std::size_t most_around_edge = 64;
-    for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
-      const std::span<const std::uint32_t> uses = edges_[edge];
-      if (uses.size() > most_around_edge) {
-        continue;
-      }
-      for (std::size_t i = 0; i < uses.size(); ++i) {
-        for (std::size_t j = i + 1; j < uses.size(); ++j) {
-          const bool opposite = start(uses[i]) != start(uses[j]);
-          if ((opposite || uses.size() == 2) && smooth(uses[i], uses[j], opposite)) {
-            sets_.join(uses[i] / 3, uses[j] / 3);
-          }
-        }
-      }
-    }
+    parallel_parts(edges_.vertices(), threads_, [&](std::size_t begin, std::size_t end, int) {
+      edges_.for_each(begin, end, [&](std::span<const std::uint32_t> uses) { join_smooth(uses); });
+    });
   }
 
   /// Joins what shares an edge, but for the edges between two of the points given.
@@ -106,8 +58,7 @@ class FaceGrouping {
       kept_apart.push_back(edge_key(welded_[border.x], welded_[border.y]));
     }
     std::ranges::sort(kept_apart);
-    for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
-      const std::span<const std::uint32_t> uses = edges_[edge];
+    edges_.for_each([&](std::span<const std::uint32_t> uses) {
       const std::uint64_t key =
           edge_key(start(uses.front()), half_edge_end(vertices_, uses.front()));
       if (!std::ranges::binary_search(kept_apart, key)) {
@@ -115,7 +66,7 @@ class FaceGrouping {
           sets_.join(uses.front() / 3, use / 3);
         }
       }
-    }
+    });
   }
 
   /// Spreads faces over degenerate triangles, from edge to edge and then through vertices, for
@@ -130,25 +81,23 @@ class FaceGrouping {
         settled.push_back(i);
       }
     }
-    std::vector<std::uint32_t> edge_of(3 * vertices_.size(), none);
-    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
-      for (const std::uint32_t half : edges_[edge]) {
-        edge_of[half] = edge;
+    // The next half-edge of the same edge, round and round; none of one that is no edge's.
+    std::vector<std::uint32_t> round(3 * vertices_.size(), none);
+    edges_.for_each([&](std::span<const std::uint32_t> uses) {
+      for (std::size_t i = 0; i < uses.size(); ++i) {
+        round[uses[i]] = uses[(i + 1) % uses.size()];
       }
-    }
+    });
     std::vector<bool> is_settled(vertices_.size(), false);
-    std::vector<bool> is_visited(edges_.size(), false);
     for (const std::uint32_t i : settled) {
       is_settled[i] = true;
     }
     for (std::size_t next = 0; next < settled.size(); ++next) {
       const std::uint32_t triangle = settled[next];
       for (std::uint32_t half = 3 * triangle; half < 3 * triangle + 3; ++half) {
-        if (edge_of[half] == none || is_visited[edge_of[half]]) {
-          continue;
-        }
-        is_visited[edge_of[half]] = true;
-        for (const std::uint32_t use : edges_[edge_of[half]]) {
+        // An edge is gone round once.
+        for (std::uint32_t use = std::exchange(round[half], none); use != none;
+             use = std::exchange(round[use], none)) {
           if (!is_settled[use / 3]) {
             is_settled[use / 3] = true;
             settled.push_back(use / 3);
@@ -161,7 +110,7 @@ class FaceGrouping {
   }
 
   /// The lowest-numbered triangle of the same face.
-  std::uint32_t first_of_face(std::uint32_t triangle) noexcept { return sets_.find(triangle); }
+  std::uint32_t first_of_face(std::uint32_t triangle) noexcept { return sets_.first(triangle); }
 
  private:
   // Zero for a triangle whose height is nothing beside its longest side.
@@ -178,6 +127,22 @@ class FaceGrouping {
 
   static std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
+  }
+
+  void join_smooth(std::span<const std::uint32_t> uses) {
+    // So many triangles around one edge are no surface, and all their pairs too many to try.
+    constexpr std::size_t most_around_edge = 64;
+    if (uses.size() > most_around_edge) {
+      return;
+    }
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      for (std::size_t j = i + 1; j < uses.size(); ++j) {
+        const bool opposite = start(uses[i]) != start(uses[j]);
+        if ((opposite || uses.size() == 2) && smooth(uses[i], uses[j], opposite)) {
+          sets_.join(uses[i] / 3, uses[j] / 3);
+        }
+      }
+    }
   }
 
   bool degenerate(std::uint32_t triangle) const { return normals_[triangle] == glm::dvec3(0.0); }
@@ -252,6 +217,7 @@ class FaceGrouping {
 
   std::span<const glm::uvec3> triangles_;
   std::span<const glm::vec3> authored_normals_;  // of `triangles_`' vertices, not of welded ones
+  int threads_;
   std::vector<std::uint32_t> welded_;
   std::vector<glm::uvec3> vertices_;
   std::vector<glm::dvec3> normals_;
@@ -260,35 +226,6 @@ class FaceGrouping {
   EdgeUses edges_;
   DisjointSets sets_;
 };
-
-}  // namespace
-
-std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions) {
-  if (positions.size() >= none) {
-    throw std::length_error(
-        fmt::format("a mesh has at most {} vertices, but this has {}", none - 1, positions.size()));
-  }
-  const std::size_t slots = std::bit_ceil(2 * positions.size() + 1);
-  std::vector<std::uint32_t> table(slots, none);
-  std::vector<std::uint32_t> first(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    first[i] = i;
-    if (!finite(positions[i])) {
-      continue;
-    }
-    std::size_t slot = hash(positions[i]) & (slots - 1);
-    while (table[slot] != none && positions[table[slot]] != positions[i]) {
-      slot = (slot + 1) & (slots - 1);
-    }
-    if (table[slot] == none) {
-      table[slot] = i;
-    }
-    first[i] = table[slot];
-  }
-  return first;
-}
-
-namespace {
 
 std::vector<std::uint32_t> numbered(FaceGrouping& grouping, std::size_t triangles) {
   std::vector<std::uint32_t> faces(triangles);
@@ -304,10 +241,11 @@ std::vector<std::uint32_t> numbered(FaceGrouping& grouping, std::size_t triangle
 
 std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
                                        std::span<const glm::uvec3> triangles,
-                                       std::span<const glm::vec3> normals, const FaceRule& rule) {
+                                       std::span<const glm::vec3> normals, const FaceRule& rule,
+                                       int threads) {
   assert(normals.empty() || normals.size() == positions.size());
   assert(rule.crease >= 0.0 && rule.crease <= std::numbers::pi);
-  FaceGrouping grouping(positions, triangles, normals, rule);
+  FaceGrouping grouping(positions, triangles, normals, rule, threads);
   grouping.join_smooth_edges();
   grouping.adopt_degenerate_triangles();
 
@@ -316,8 +254,8 @@ std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
 
 std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> positions,
                                                std::span<const glm::uvec3> triangles,
-                                               std::span<const glm::uvec2> borders) {
-  FaceGrouping grouping(positions, triangles, {}, {});
+                                               std::span<const glm::uvec2> borders, int threads) {
+  FaceGrouping grouping(positions, triangles, {}, {}, threads);
   grouping.join_all_but(borders);
   return numbered(grouping, triangles.size());
 }

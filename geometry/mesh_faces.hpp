@@ -11,10 +11,6 @@
 
 namespace raycat {
 
-/// For each point, the number of the first point equal to it (-0 equals 0). Points are compared
-/// exactly; what is not finite equals only itself.
-std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions);
-
 /// How triangles join into faces.
 struct FaceRule {
   double crease = 0.5235987755982988;        ///< radians; 30 degrees (DESIGN 5)
@@ -28,18 +24,19 @@ struct FaceRule {
 /// pairs that run along it in opposite directions; two triangles that run along it the same way
 /// are compared with one of them turned over, and an edge of more than 64 joins none. Degenerate
 /// triangles belong to the face of a neighbour, and join nothing. `normals` holds one a position,
-/// or nothing. Indices must be in range.
+/// or nothing. Indices must be in range. The faces are the same whatever `threads`.
 std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
                                        std::span<const glm::uvec3> triangles,
                                        std::span<const glm::vec3> normals,
-                                       const FaceRule& rule = {});
+                                       const FaceRule& rule = {}, int threads = 1);
 
 /// The faces of triangles whose borders are told: two triangles that share an edge, once equal
 /// positions are welded, are of one face unless the edge is among `borders`, pairs of positions in
 /// either order. Numbered as above.
 std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> positions,
                                                std::span<const glm::uvec3> triangles,
-                                               std::span<const glm::uvec2> borders);
+                                               std::span<const glm::uvec2> borders,
+                                               int threads = 1);
 
 /// A mesh of polygons as triangles, with face k the polygon k. A face of `faces` lists the
 /// corners of one planar polygon counter-clockwise from outside, convex or not. Throws

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/edge_uses.hpp"
-#include "geometry/mesh_faces.hpp"
+#include "geometry/weld.hpp"
 
 namespace raycat {
 namespace {
@@ -78,25 +78,25 @@ void leave_out_unused_positions(TriangleMesh& mesh) {
 }
 
 void check_edges(const TriangleMesh& mesh) {
-  const EdgeUses edges = edge_uses(mesh.triangles, mesh.positions.size());
+  const EdgeUses edges(mesh.triangles, mesh.positions.size());
   std::size_t bad = 0;
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   bool first_is_open = false;
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+  edges.for_each([&](std::span<const std::uint32_t> uses) {
     std::ptrdiff_t balance = 0;
-    for (const std::uint32_t half : edges[edge]) {
+    for (const std::uint32_t half : uses) {
       const bool upwards =
           half_edge_start(mesh.triangles, half) < half_edge_end(mesh.triangles, half);
       balance += upwards ? 1 : -1;
     }
     if (balance != 0) {
       ++bad;
-      if (edges[edge].front() < first) {
-        first = edges[edge].front();
-        first_is_open = edges[edge].size() == 1;
+      if (uses.front() < first) {
+        first = uses.front();
+        first_is_open = uses.size() == 1;
       }
     }
-  }
+  });
   if (bad != 0) {
     throw std::invalid_argument(
         fmt::format("edge {} to {} is {}; {} open or inconsistently oriented",

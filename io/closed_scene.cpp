@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/edge_uses.hpp"
-#include "geometry/mesh_faces.hpp"
+#include "geometry/weld.hpp"
 
 namespace raycat {
 namespace {
@@ -28,17 +28,15 @@ bool encloses_volume(const std::vector<const MeshInstance*>& instances) {
   for (glm::uvec3& triangle : triangles) {
     triangle = {same[triangle.x], same[triangle.y], same[triangle.z]};
   }
-  const EdgeUses edges = edge_uses(triangles, positions.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+  bool closed = !triangles.empty();
+  EdgeUses(triangles, positions.size()).for_each([&](std::span<const std::uint32_t> uses) {
     std::int64_t balance = 0;
-    for (const std::uint32_t half : edges[edge]) {
+    for (const std::uint32_t half : uses) {
       balance += half_edge_start(triangles, half) < half_edge_end(triangles, half) ? 1 : -1;
     }
-    if (balance != 0) {
-      return false;
-    }
-  }
-  return !triangles.empty();
+    closed = closed && balance == 0;
+  });
+  return closed;
 }
 
 }  // namespace

@@ -54,10 +54,10 @@ TriangleMesh joined(const std::vector<const TriangleMesh*>& meshes) {
 }
 
 GltfMeshes::GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
-                       const FaceRule& faces, GltfTextures& textures, LoadBudget& budget)
+                       const LoadOptions& options, GltfTextures& textures, LoadBudget& budget)
     : document_(document),
       materials_(materials),
-      faces_(faces),
+      options_(options),
       textures_(textures),
       budget_(budget),
       meshes_(document.model.meshes.size()),
@@ -131,7 +131,7 @@ GltfMesh GltfMeshes::read(std::size_t number) {
     }
     const GltfMaterial* material =
         from[i].material < 0 ? nullptr : &materials_[static_cast<std::size_t>(from[i].material)];
-    auto primitive = read_primitive(document_, number, i, material, faces_,
+    auto primitive = read_primitive(document_, number, i, material, options_,
                                     mesh.names ? &*mesh.names : nullptr, textures_, budget_);
     if (const auto positions = from[i].attributes.find("POSITION");
         positions != from[i].attributes.end()) {

@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh_faces.hpp"
 #include "geometry/shape.hpp"
 #include "io/gltf_document.hpp"
 #include "io/gltf_features.hpp"
 #include "io/gltf_material.hpp"
 #include "io/gltf_primitive.hpp"
+#include "io/scene_file.hpp"
 #include "tracer/scene.hpp"
 
 namespace raycat {
@@ -24,9 +24,9 @@ struct GltfMesh {
 /// The meshes of a document, each read when it is first asked for and shared by its instances.
 class GltfMeshes {
  public:
-  /// Keeps references to all but the rule. `materials` say which texture coordinates to read.
+  /// Keeps references to all. `materials` say which texture coordinates to read.
   GltfMeshes(GltfDocument& document, const std::vector<GltfMaterial>& materials,
-             const FaceRule& faces, GltfTextures& textures, LoadBudget& budget);
+             const LoadOptions& options, GltfTextures& textures, LoadBudget& budget);
 
   /// Throws `LoadError`.
   const GltfMesh& mesh(std::size_t number);
@@ -48,7 +48,7 @@ class GltfMeshes {
 
   GltfDocument& document_;
   const std::vector<GltfMaterial>& materials_;
-  FaceRule faces_;
+  const LoadOptions& options_;
   GltfTextures& textures_;
   LoadBudget& budget_;
   std::vector<std::optional<GltfMesh>> meshes_;

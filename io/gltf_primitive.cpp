@@ -12,7 +12,6 @@
 
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_borders.hpp"
-#include "io/scene_file.hpp"
 
 namespace raycat {
 namespace {
@@ -40,7 +39,7 @@ class PrimitiveReader {
         place_(fmt::format("meshes[{}]", mesh)),
         path_(fmt::format("primitives[{}]", primitive)) {}
 
-  std::optional<GltfPrimitive> read(const GltfMaterial* material, const FaceRule& faces,
+  std::optional<GltfPrimitive> read(const GltfMaterial* material, const LoadOptions& options,
                                     const FeatureNames* names, GltfTextures& textures,
                                     LoadBudget& budget) {
     const auto positions = attribute("POSITION", 3, 3);
@@ -55,13 +54,12 @@ class PrimitiveReader {
     std::optional<std::vector<std::uint32_t>> polygons;
     {
       const Stopwatch reading(budget.spent().meshes);
-      std::vector<std::uint32_t> corners = read_corners(positions->size(), budget);
-      vertices = renumber(corners, positions->size());
+      mesh->triangles.triangles = read_triangles(positions->size(), budget);
+      vertices = renumber(mesh->triangles.triangles, positions->size());
       mesh->triangles.positions.reserve(vertices.size());
       for (const std::uint32_t vertex : vertices) {
         mesh->triangles.positions.emplace_back((*positions)[vertex]);
       }
-      mesh->triangles.triangles = assemble(std::move(corners));
       polygons = authored_polygons(document_, mesh_, primitive_, mesh->triangles.triangles);
       drop_infinite(mesh->triangles, polygons);
       read_normals(vertices, positions->size(), *mesh);
@@ -80,9 +78,9 @@ class PrimitiveReader {
       mesh->triangles.faces = *std::move(polygons);
       count_faces(mesh->triangles);
     } else if (auto outline = authored_outline(document_, mesh_, primitive_, positions->size())) {
-      group_between(*std::move(outline), vertices, mesh->triangles);
+      group_between(*std::move(outline), vertices, options.threads, mesh->triangles);
     } else {
-      group(faces, *mesh);
+      group(options, *mesh);
     }
     const bool deformable = !from_.targets.empty() || from_.attributes.contains("JOINTS_0");
     GltfPrimitive out{.number = primitive_, .triangles = mesh->triangles.triangles.size()};
@@ -130,7 +128,8 @@ class PrimitiveReader {
     return accessor;
   }
 
-  std::vector<std::uint32_t> read_corners(std::size_t vertices, LoadBudget& budget) const {
+  // The order of corners is that of glTF 2.0 (3.7.2.1).
+  std::vector<glm::uvec3> read_triangles(std::size_t vertices, LoadBudget& budget) const {
     if (vertices > max_vertices) {
       fail(fmt::format("at most {} vertices are read, but there are {}", max_vertices, vertices));
     }
@@ -147,36 +146,60 @@ class PrimitiveReader {
     // A file can name the same accessors any number of times, at no cost to itself.
     constexpr std::uint64_t bytes_a_corner = 64;
     budget.take_memory(document_.file, place_ + ": " + path_, count, bytes_a_corner);
-    std::vector<std::uint32_t> corners(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      corners[i] = indices ? indices->index(i) : static_cast<std::uint32_t>(i);
-      if (corners[i] >= vertices) {
-        fail(fmt::format("indices: index {} at {} is past the {} vertices", corners[i], i,
-                         vertices));
+    const auto corner = [&](std::size_t i) {
+      const std::uint32_t vertex = indices ? indices->index(i) : static_cast<std::uint32_t>(i);
+      if (vertex >= vertices) {
+        fail(fmt::format("indices: index {} at {} is past the {} vertices", vertex, i, vertices));
+      }
+      return vertex;
+    };
+    std::vector<glm::uvec3> triangles;
+    if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
+      triangles.reserve(count / 3);
+      for (std::size_t i = 0; i + 2 < count; i += 3) {
+        triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
+      }
+      if (count % 3 != 0) {
+        warn(fmt::format("{} corners are no whole number of triangles; the last are ignored",
+                         count));
+      }
+      return triangles;
+    }
+    for (std::size_t i = 0; i + 2 < count; ++i) {
+      const std::size_t odd = from_.mode == TINYGLTF_MODE_TRIANGLE_STRIP ? i % 2 : 0;
+      if (from_.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+        triangles.push_back({corner(i), corner(i + 1 + odd), corner(i + 2 - odd)});
+      } else {
+        triangles.push_back({corner(i + 1), corner(i + 2), corner(0)});
       }
     }
-    return corners;
+    return triangles;
   }
 
   // Primitives often share one long list of vertices; each keeps those it uses, in their order.
-  static std::vector<std::uint32_t> renumber(std::vector<std::uint32_t>& corners,
+  static std::vector<std::uint32_t> renumber(std::vector<glm::uvec3>& triangles,
                                              std::size_t vertices) {
     std::vector<std::uint32_t> used;
+    const auto for_each_corner = [&](const auto& visit) {
+      for (glm::uvec3& triangle : triangles) {
+        visit(triangle.x);
+        visit(triangle.y);
+        visit(triangle.z);
+      }
+    };
     // Where few of many vertices are used, a table of all of them would be the longer way.
-    if (vertices > 8 * corners.size()) {
-      used = corners;
+    if (vertices > 24 * triangles.size()) {
+      for_each_corner([&](std::uint32_t corner) { used.push_back(corner); });
       std::ranges::sort(used);
       used.erase(std::unique(used.begin(), used.end()), used.end());
-      for (std::uint32_t& corner : corners) {
+      for_each_corner([&](std::uint32_t& corner) {
         corner = static_cast<std::uint32_t>(std::ranges::lower_bound(used, corner) - used.begin());
-      }
+      });
       return used;
     }
     constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> number(vertices, unused);
-    for (const std::uint32_t corner : corners) {
-      number[corner] = 0;
-    }
+    for_each_corner([&](std::uint32_t corner) { number[corner] = 0; });
     used.reserve(vertices);
     for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
       if (number[vertex] != unused) {
@@ -184,35 +207,10 @@ class PrimitiveReader {
         used.push_back(vertex);
       }
     }
-    for (std::uint32_t& corner : corners) {
-      corner = number[corner];
+    if (used.size() < vertices) {
+      for_each_corner([&](std::uint32_t& corner) { corner = number[corner]; });
     }
     return used;
-  }
-
-  // The order of corners is that of glTF 2.0 (3.7.2.1).
-  std::vector<glm::uvec3> assemble(std::vector<std::uint32_t> corners) const {
-    std::vector<glm::uvec3> triangles;
-    if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
-      triangles.reserve(corners.size() / 3);
-      for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-        triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
-      }
-      if (corners.size() % 3 != 0) {
-        warn(fmt::format("{} corners are no whole number of triangles; the last are ignored",
-                         corners.size()));
-      }
-      return triangles;
-    }
-    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
-      const std::size_t odd = from_.mode == TINYGLTF_MODE_TRIANGLE_STRIP ? i % 2 : 0;
-      if (from_.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
-        triangles.emplace_back(corners[i], corners[i + 1 + odd], corners[i + 2 - odd]);
-      } else {
-        triangles.emplace_back(corners[i + 1], corners[i + 2], corners[0]);
-      }
-    }
-    return triangles;
   }
 
   void drop_infinite(TriangleMesh& mesh,
@@ -358,15 +356,17 @@ class PrimitiveReader {
     }
   }
 
-  static void group(const FaceRule& rule, SurfaceMesh& mesh) {
+  static void group(const LoadOptions& options, SurfaceMesh& mesh) {
     TriangleMesh& triangles = mesh.triangles;
-    triangles.faces = group_faces(triangles.positions, triangles.triangles, mesh.normals, rule);
+    triangles.faces = group_faces(triangles.positions, triangles.triangles, mesh.normals,
+                                  options.faces, options.threads);
     count_faces(triangles);
   }
 
   // The outline is of the file's vertices, and lines between those that no triangle uses are none.
   static void group_between(std::vector<glm::uvec2> outline,
-                            const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
+                            const std::vector<std::uint32_t>& vertices, int threads,
+                            TriangleMesh& mesh) {
     std::erase_if(outline, [&](const glm::uvec2& line) {
       return !std::ranges::binary_search(vertices, line.x) ||
              !std::ranges::binary_search(vertices, line.y);
@@ -377,7 +377,7 @@ class PrimitiveReader {
             static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, *end) - vertices.begin());
       }
     }
-    mesh.faces = group_faces_between(mesh.positions, mesh.triangles, outline);
+    mesh.faces = group_faces_between(mesh.positions, mesh.triangles, outline, threads);
     count_faces(mesh);
   }
 
@@ -397,9 +397,10 @@ class PrimitiveReader {
 
 std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
                                             std::size_t primitive, const GltfMaterial* material,
-                                            const FaceRule& faces, const FeatureNames* names,
+                                            const LoadOptions& options, const FeatureNames* names,
                                             GltfTextures& textures, LoadBudget& budget) {
-  return PrimitiveReader(document, mesh, primitive).read(material, faces, names, textures, budget);
+  return PrimitiveReader(document, mesh, primitive)
+      .read(material, options, names, textures, budget);
 }
 
 }  // namespace raycat

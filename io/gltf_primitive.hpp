@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh_faces.hpp"
 #include "io/gltf_document.hpp"
 #include "io/gltf_features.hpp"
 #include "io/gltf_material.hpp"
+#include "io/scene_file.hpp"
 #include "tracer/scene.hpp"
 
 namespace raycat {
@@ -27,14 +27,14 @@ struct GltfPrimitive {
 };
 
 /// Reads the triangles of one primitive of a mesh, whose material is `material` or null, with the
-/// texture coordinates that it needs. Its faces
-/// are its features, as `names` tells them if it is not null; without features they are found by
-/// the rule. Takes what it holds from the budget. The primitive must be of triangles.
-/// Nothing if it has no positions; then `document` has a warning more. Triangles with a corner that
-/// is not finite are dropped with a warning. Throws `LoadError`.
+/// texture coordinates that it needs. Its faces are its features, as `names` tells them if it is
+/// not null; without features they are found by the rule of `options`. Takes what it holds from the
+/// budget. The primitive must be of triangles. Nothing if it has no positions; then `document` has
+/// a warning more. Triangles with a corner that is not finite are dropped with a warning. Throws
+/// `LoadError`.
 std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
                                             std::size_t primitive, const GltfMaterial* material,
-                                            const FaceRule& faces, const FeatureNames* names,
+                                            const LoadOptions& options, const FeatureNames* names,
                                             GltfTextures& textures, LoadBudget& budget);
 
 }  // namespace raycat

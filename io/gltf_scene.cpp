@@ -36,7 +36,7 @@ class SceneReader {
         assembly_(file),
         textures_(document_, assembly_.out.scene.textures, assets.budget()),
         materials_(read_materials(document_, textures_)),
-        meshes_(document_, materials_, assets.options().faces, textures_, assets.budget()),
+        meshes_(document_, materials_, assets.options(), textures_, assets.budget()),
         colliders_(document_) {
     for (const GltfMaterial& material : materials_) {
       assembly_.out.scene.materials.push_back(material.material);

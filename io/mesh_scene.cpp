@@ -14,7 +14,8 @@ SceneFile read_mesh_scene(const std::filesystem::path& file, const LoadOptions& 
   auto mesh = std::make_shared<SurfaceMesh>();
   mesh->triangles = read_mesh_file(file);
   TriangleMesh& triangles = mesh->triangles;
-  triangles.faces = group_faces(triangles.positions, triangles.triangles, {}, options.faces);
+  triangles.faces =
+      group_faces(triangles.positions, triangles.triangles, {}, options.faces, options.threads);
   triangles.face_count = 1 + *std::ranges::max_element(triangles.faces);
 
   SceneFile out;

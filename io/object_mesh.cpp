@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "geometry/mesh_faces.hpp"
+#include "geometry/weld.hpp"
 #include "modelling/evaluate.hpp"
 
 namespace raycat {

@@ -143,7 +143,8 @@ Polygons projected(Context& context, const Node& node, const TriangleMesh& opera
 }
 
 std::optional<Primitive> joined(Context& context, const Node& node, TriangleMesh mesh) {
-  mesh.faces = group_faces(mesh.positions, mesh.triangles, {}, context.options.faces);
+  mesh.faces = group_faces(mesh.positions, mesh.triangles, {}, context.options.faces,
+                           context.options.threads);
   mesh.face_count = mesh.faces.empty() ? 0 : 1 + *std::ranges::max_element(mesh.faces);
   return solid(context, node, std::move(mesh));
 }

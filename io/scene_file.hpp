@@ -28,6 +28,7 @@ struct LoadOptions {
   double exposure = 0.0;  ///< EV: glTF's lights count 2^exposure times
   Facetting facets = Facetting::openscad;
   LoadLimits limits;           ///< of glTF files
+  int threads = 1;             ///< that find faces; these do not depend on it
   std::string scene;           ///< of a glTF file, by name or number; the default scene if empty
   std::optional<double> time;  ///< seconds: glTF nodes in the pose of an animation, else at rest
   std::string animation;       ///< by name or number; the first if empty

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 
+#include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
 
 namespace raycat {
@@ -60,23 +60,16 @@ Nef filled(const TriangleMesh& shell) {
 
 // The parts of a surface that no edge joins.
 std::vector<TriangleMesh> shells(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) {
-      i = parent[i] = parent[parent[i]];
+  DisjointSets joined(mesh.triangles.size());
+  const EdgeUses edges(mesh.triangles, mesh.positions.size());
+  edges.for_each([&](std::span<const std::uint32_t> uses) {
+    for (const std::uint32_t half : uses) {
+      joined.join(uses.front() / 3, half / 3);
     }
-    return i;
-  };
-  const EdgeUses edges = edge_uses(mesh.triangles, mesh.positions.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    for (const std::uint32_t half : edges[edge]) {
-      parent[find(half / 3)] = find(edges[edge].front() / 3);
-    }
-  }
+  });
   std::map<std::uint32_t, std::vector<glm::uvec3>> shell_of;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    shell_of[find(i)].push_back(mesh.triangles[i]);
+    shell_of[joined.first(i)].push_back(mesh.triangles[i]);
   }
   std::vector<TriangleMesh> out;
   std::vector<std::uint32_t> number(mesh.positions.size());

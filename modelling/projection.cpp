@@ -9,7 +9,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "geometry/mesh_faces.hpp"
+#include "geometry/weld.hpp"
 #include "modelling/winding.hpp"
 
 namespace raycat {

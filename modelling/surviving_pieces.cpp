@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "csg/heavy_paths.hpp"
+#include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
 #include "modelling/sides.hpp"
 
@@ -24,27 +24,18 @@ std::vector<std::uint32_t> patches(const Arrangement& arrangement) {
   for (const Arrangement::Piece& piece : arrangement.pieces) {
     triangles.push_back(piece.corners);
   }
-  std::vector<std::uint32_t> joined(triangles.size());
-  std::iota(joined.begin(), joined.end(), 0U);
-  const auto root = [&](std::uint32_t piece) {
-    while (joined[piece] != piece) {
-      joined[piece] = joined[joined[piece]];
-      piece = joined[piece];
+  DisjointSets joined(triangles.size());
+  const EdgeUses edges(triangles, arrangement.points.size());
+  edges.for_each([&](std::span<const std::uint32_t> uses) {
+    if (uses.size() == 2) {
+      joined.join(uses.front() / 3, uses.back() / 3);
     }
-    return piece;
-  };
-  const EdgeUses edges = edge_uses(triangles, arrangement.points.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    if (edges[edge].size() == 2) {
-      const std::uint32_t a = root(edges[edge].front() / 3);
-      const std::uint32_t b = root(edges[edge].back() / 3);
-      joined[std::max(a, b)] = std::min(a, b);
-    }
+  });
+  std::vector<std::uint32_t> first(triangles.size());
+  for (std::uint32_t piece = 0; piece < first.size(); ++piece) {
+    first[piece] = joined.first(piece);
   }
-  for (std::uint32_t piece = 0; piece < joined.size(); ++piece) {
-    joined[piece] = root(piece);
-  }
-  return joined;
+  return first;
 }
 
 class Judge {

@@ -5,7 +5,7 @@
 #include <exception>
 #include <mutex>
 
-#include "tracer/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace raycat {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/parallel.hpp"
 #include "render/repeat_recorder.hpp"
 #include "render/textured_primitives.hpp"
-#include "tracer/parallel.hpp"
 #include "tracer/row_progress.hpp"
 
 namespace raycat {

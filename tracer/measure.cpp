@@ -5,10 +5,10 @@
 
 #include <glm/exponential.hpp>
 
+#include "geometry/parallel.hpp"
 #include "tracer/chord_estimates.hpp"
 #include "tracer/extreme_search.hpp"
 #include "tracer/object_volumes.hpp"
-#include "tracer/parallel.hpp"
 #include "tracer/scrambled_points.hpp"
 
 namespace raycat {

@@ -2,9 +2,11 @@
 // finding faces and building Embree's index, against reading the file's bytes and Embree's index
 // alone.
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -87,8 +89,10 @@ void load(benchmark::State& state) {
   const TemporaryFolder folder;
   const std::string file = folder.write("ball.glb", glb(mesh));
   const Ray ray{.origin = {0.0, 0.0, 5.0}, .direction = {0.0, 0.0, -1.0}};
+  LoadOptions options;
+  options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto raycat = [&] {
-    const SceneFile loaded = load_scene(file);
+    const SceneFile loaded = load_scene(file, options);
     const Accel accel(loaded.scene);
     Solid::Scratch scratch;
     benchmark::DoNotOptimize(accel.closest(ray, scratch));
@@ -104,7 +108,7 @@ void load(benchmark::State& state) {
     state.counters["data_and_bvh"] =
         2.5 * static_cast<double>(data) + static_cast<double>(BareEmbree(mesh).peak_bytes());
     state.counters["load"] =
-        timed([&] { benchmark::DoNotOptimize(load_scene(file)); }, process_cpu_seconds);
+        timed([&] { benchmark::DoNotOptimize(load_scene(file, options)); }, process_cpu_seconds);
     state.counters["raycat"] = timed(raycat, process_cpu_seconds);
     state.counters["embree"] = timed(embree, process_cpu_seconds);
     state.counters["raycat_wall"] = timed(raycat, wall_seconds);

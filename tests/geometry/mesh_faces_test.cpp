@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "geometry/weld.hpp"
 #include "tests/geometry/sample_meshes.hpp"
 
 namespace raycat {

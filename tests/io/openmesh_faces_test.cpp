@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/mesh_faces.hpp"
+#include "geometry/weld.hpp"
 #include "tests/io/gltf_files.hpp"
 #include "tests/io/scene_text.hpp"
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -37,6 +39,25 @@ void parallel_rows(int rows, int threads, const Work& work) {
   if (error) {
     std::rethrow_exception(error);
   }
+}
+
+/// How many parts `parallel_parts` makes of so many small pieces of work: as many as threads,
+/// but none that would not be worth starting one.
+inline int part_count(std::size_t size, int threads) {
+  constexpr std::size_t least_of_a_part = 16384;
+  return static_cast<int>(std::clamp<std::size_t>(size / least_of_a_part, 1,
+                                                  static_cast<std::size_t>(std::max(threads, 1))));
+}
+
+/// Calls `work(begin, end, part)` once for each part of the numbers below `size`, on as many
+/// threads; parts are as long as each other and in order.
+template <typename Work>
+void parallel_parts(std::size_t size, int threads, const Work& work) {
+  const int parts = part_count(size, threads);
+  const auto begin = [&](int part) {
+    return size * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
+  };
+  parallel_rows(parts, parts, [&](int part, int) { work(begin(part), begin(part + 1), part); });
 }
 
 }  // namespace raycat

@@ -1,4 +1,4 @@
-#include "tracer/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 #include <stdexcept>
 
@@ -7,7 +7,7 @@
 namespace raycat {
 namespace {
 
-TEST_CASE("every row is worked on once, whatever the threads", "[tracer][parallel]") {
+TEST_CASE("every row is worked on once, whatever the threads", "[geometry][parallel]") {
   const int threads = GENERATE(1, 2, 7);
   std::vector<int> times(1000);
   std::atomic<bool> known = true;
@@ -19,7 +19,7 @@ TEST_CASE("every row is worked on once, whatever the threads", "[tracer][paralle
   CHECK(known);
 }
 
-TEST_CASE("what a row throws comes out, and stops the rest", "[tracer][parallel]") {
+TEST_CASE("what a row throws comes out, and stops the rest", "[geometry][parallel]") {
   std::atomic<int> rows = 0;
   const auto work = [&](int row, int) {
     ++rows;
@@ -31,7 +31,7 @@ TEST_CASE("what a row throws comes out, and stops the rest", "[tracer][parallel]
   CHECK(rows < 1'000'000);
 }
 
-TEST_CASE("no rows are no work", "[tracer][parallel]") {
+TEST_CASE("no rows are no work", "[geometry][parallel]") {
   parallel_rows(0, 4, [](int, int) { FAIL(); });
 }
 
