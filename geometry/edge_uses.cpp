@@ -37,6 +37,9 @@ EdgeUses::EdgeUses(std::span<const glm::uvec3> triangles, std::size_t vertex_cou
     throw std::length_error(
         fmt::format("a mesh has at most {} triangles, but this has {}", most, triangles.size()));
   }
+  // Those places are held for every vertex, so that parts may not be as many as threads.
+  constexpr int most_parts = 4;
+  threads = std::min(threads, most_parts);
   std::vector<std::vector<std::uint32_t>> places(
       static_cast<std::size_t>(part_count(triangles.size(), threads)));
   parallel_parts(triangles.size(), threads, [&](std::size_t begin, std::size_t end, int part) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,29 +9,6 @@
 #include <glm/vec3.hpp>
 
 namespace raycat {
-
-/// Sorts numbers that all differ. A few, as a vertex has, by counting those below each, which
-/// takes no branch that a processor would guess wrong.
-inline void sort_few(std::vector<std::uint64_t>& numbers) {
-  constexpr std::size_t few = 16;
-  if (numbers.size() > few) {
-    std::ranges::sort(numbers);
-    return;
-  }
-  std::array<std::uint64_t, few> sorted;
-  std::array<std::size_t, few> below{};
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::size_t less = numbers[j] < numbers[i] ? 1 : 0;
-      below[i] += less;
-      below[j] += 1 - less;
-    }
-  }
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    sorted[below[i]] = numbers[i];
-  }
-  std::copy_n(sorted.begin(), numbers.size(), numbers.begin());
-}
 
 inline std::uint32_t half_edge_start(std::span<const glm::uvec3> triangles, std::uint32_t half) {
   return triangles[half / 3][static_cast<int>(half % 3)];
@@ -84,7 +60,7 @@ void EdgeUses::for_each(std::size_t begin, std::size_t end, const Visit& visit) 
           std::max(half_edge_start(triangles_, half), half_edge_end(triangles_, half));
       uses.push_back(high << 32U | half);
     }
-    sort_few(uses);
+    std::ranges::sort(uses);
     for (std::size_t i = 0; i < uses.size();) {
       const std::uint64_t high = uses[i] >> 32U;
       of_edge.clear();

@@ -28,22 +28,17 @@ class FaceGrouping {
         authored_normals_(normals),
         threads_(threads),
         welded_(weld(positions, threads)),
-        vertices_(triangles.size()),
-        normals_(triangles.size()),
+        vertices_(welded(triangles, welded_, threads)),
+        normals_(unit_normals(positions, triangles, threads)),
         same_normal_(std::cos(rule.same_normal)),
         // The chord, unlike the cosine, tells small angles apart.
         crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
-        edges_(vertices_, 0),
-        sets_(triangles.size()) {
-    parallel_parts(triangles.size(), threads, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const glm::uvec3& t = triangles[i];
-        vertices_[i] = {welded_[t.x], welded_[t.y], welded_[t.z]};
-        normals_[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
-      }
-    });
-    edges_ = EdgeUses(vertices_, positions.size(), threads);
-  }
+        edges_(vertices_, positions.size(), threads),
+        sets_(triangles.size()) {}
+
+  // `edges_` looks at `vertices_`.
+  FaceGrouping(const FaceGrouping&) = delete;
+  FaceGrouping& operator=(const FaceGrouping&) = delete;
 
   void join_smooth_edges() {
     parallel_parts(edges_.vertices(), threads_, [&](std::size_t begin, std::size_t end, int) {
@@ -113,6 +108,29 @@ class FaceGrouping {
   std::uint32_t first_of_face(std::uint32_t triangle) noexcept { return sets_.first(triangle); }
 
  private:
+  static std::vector<glm::uvec3> welded(std::span<const glm::uvec3> triangles,
+                                        std::span<const std::uint32_t> first, int threads) {
+    std::vector<glm::uvec3> out(triangles.size());
+    parallel_parts(out.size(), threads, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) {
+        out[i] = {first[triangles[i].x], first[triangles[i].y], first[triangles[i].z]};
+      }
+    });
+    return out;
+  }
+
+  static std::vector<glm::dvec3> unit_normals(std::span<const glm::dvec3> positions,
+                                              std::span<const glm::uvec3> triangles, int threads) {
+    std::vector<glm::dvec3> out(triangles.size());
+    parallel_parts(out.size(), threads, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const glm::uvec3& t = triangles[i];
+        out[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
+      }
+    });
+    return out;
+  }
+
   // Zero for a triangle whose height is nothing beside its longest side.
   static glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     constexpr double least_height = 1e-10;

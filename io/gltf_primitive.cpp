@@ -153,8 +153,13 @@ class PrimitiveReader {
       }
       return vertex;
     };
+    // What no triangle uses must be in range all the same.
+    const bool list = from_.mode == TINYGLTF_MODE_TRIANGLES;
+    for (std::size_t i = list ? count - count % 3 : count < 3 ? 0 : count; i < count; ++i) {
+      corner(i);
+    }
     std::vector<glm::uvec3> triangles;
-    if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
+    if (list) {
       triangles.reserve(count / 3);
       for (std::size_t i = 0; i + 2 < count; i += 3) {
         triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});

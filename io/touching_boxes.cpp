@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/disjoint_sets.hpp"
+
 namespace raycat {
 
 namespace {
@@ -15,9 +17,8 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 class TouchingBoxes {
  public:
   explicit TouchingBoxes(std::span<const Bounds> boxes)
-      : boxes_(boxes), leader_(boxes.size()), order_(boxes.size()) {
-    std::iota(leader_.begin(), leader_.end(), 0);
-    order_ = leader_;
+      : boxes_(boxes), order_(boxes.size()), groups_(boxes.size()) {
+    std::iota(order_.begin(), order_.end(), 0U);
     build(0, static_cast<std::uint32_t>(boxes.size()));
   }
 
@@ -29,11 +30,11 @@ class TouchingBoxes {
     std::vector<std::uint32_t> group(boxes_.size());
     std::uint32_t next = 0;
     for (std::uint32_t box = 0; box < boxes_.size(); ++box) {
-      std::uint32_t& of_leader = number[leader(box)];
-      if (of_leader == none) {
-        of_leader = next++;
+      std::uint32_t& of_first = number[groups_.first(box)];
+      if (of_first == none) {
+        of_first = next++;
       }
-      group[box] = of_leader;
+      group[box] = of_first;
     }
     return group;
   }
@@ -73,33 +74,25 @@ class TouchingBoxes {
   void join(std::uint32_t at, std::uint32_t box) {
     Branch& branch = branches_[at];
     if (intersection(branch.bounds, boxes_[box]).empty() ||
-        (branch.member != none && leader(branch.member) == leader(box))) {
+        (branch.member != none && groups_.first(branch.member) == groups_.first(box))) {
       return;
     }
     if (branch.second == none) {
-      leader_[leader(branch.member)] = leader(box);
+      groups_.join(branch.member, box);
       return;
     }
     join(at + 1, box);
     join(branch.second, box);
     const std::uint32_t a = branches_[at + 1].member;
     const std::uint32_t b = branches_[branch.second].member;
-    if (a != none && b != none && leader(a) == leader(b)) {
+    if (a != none && b != none && groups_.first(a) == groups_.first(b)) {
       branch.member = a;
     }
   }
 
-  std::uint32_t leader(std::uint32_t box) {
-    while (leader_[box] != box) {
-      leader_[box] = leader_[leader_[box]];
-      box = leader_[box];
-    }
-    return box;
-  }
-
   std::span<const Bounds> boxes_;
-  std::vector<std::uint32_t> leader_;
   std::vector<std::uint32_t> order_;
+  DisjointSets groups_;
   std::vector<Branch> branches_;
 };
 

@@ -1,7 +1,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <CGAL/minkowski_sum_2.h>
 #include <fmt/format.h>
 
+#include "geometry/disjoint_sets.hpp"
 #include "modelling/polygons.hpp"
 #include "modelling/triangulation.hpp"
 #include "modelling/winding.hpp"
@@ -21,25 +21,6 @@ namespace {
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Simple = CGAL::Polygon_2<Kernel>;
 using Piece = CGAL::Polygon_with_holes_2<Kernel>;
-
-// Sets that grow together, each known by one of its members.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t operator()(std::size_t member) {
-    while (parent_[member] != member) {
-      parent_[member] = parent_[parent_[member]];
-      member = parent_[member];
-    }
-    return member;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[(*this)(a)] = (*this)(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 // Corners at one place have one number.
 std::vector<std::size_t> places(const Polygons& polygons) {
@@ -65,9 +46,9 @@ Simple simple(const Contour& contour) {
 std::vector<Piece> pieces(const Polygons& polygons) {
   const auto [regular, triangles] = triangulated(polygons);
   const std::vector<std::size_t> place = places(regular);
-  Joined joined(triangles.size());
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> left;  // triangle left of an edge
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
+  DisjointSets joined(triangles.size());
+  std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> left;  // triangle left of an edge
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       const std::size_t from = place[triangles[i][k]];
       const std::size_t to = place[triangles[i][(k + 1) % 3]];
@@ -77,7 +58,7 @@ std::vector<Piece> pieces(const Polygons& polygons) {
       }
     }
   }
-  std::map<std::size_t, std::pair<Simple, std::vector<Simple>>> grouped;
+  std::map<std::uint32_t, std::pair<Simple, std::vector<Simple>>> grouped;
   std::size_t first = 0;
   for (const Contour& contour : regular.contours) {
     const auto beside = left.find({place[first], place[first + 1]});
@@ -85,7 +66,7 @@ std::vector<Piece> pieces(const Polygons& polygons) {
     if (beside == left.end()) {
       continue;
     }
-    auto& [outer, holes] = grouped[joined(beside->second)];
+    auto& [outer, holes] = grouped[joined.first(beside->second)];
     Simple polygon = simple(contour);
     if (polygon.is_counterclockwise_oriented()) {
       outer = std::move(polygon);

@@ -132,6 +132,21 @@ TEST_CASE("welding agrees with comparing all pairs", "[geometry][mesh_faces]") {
   }));
 }
 
+TEST_CASE("points weld and faces are found alike on any number of threads",
+          "[geometry][mesh_faces]") {
+  const TriangleMesh mesh = split(test::torus(400, 200, 0.02));  // large enough to be parted
+  const Faces first = weld(mesh.positions);
+  const Faces faces = group_faces(mesh.positions, mesh.triangles, {});
+  CHECK(count(faces) > 100);
+  CHECK(count(faces) < mesh.triangles.size() / 2);
+  const int threads = GENERATE(2, 3, 8);
+  CHECK(weld(mesh.positions, threads) == first);
+  CHECK(group_faces(mesh.positions, mesh.triangles, {}, {}, threads) == faces);
+  const std::vector<glm::uvec2> borders{{0, 1}, {1, 2}, {300, 301}};
+  CHECK(group_faces_between(mesh.positions, mesh.triangles, borders, threads) ==
+        group_faces_between(mesh.positions, mesh.triangles, borders));
+}
+
 TEST_CASE("a cube has six faces however it was exported", "[geometry][mesh_faces]") {
   const TriangleMesh cube = test::box(glm::dvec3(-1.0), glm::dvec3(1.0));
   const Faces expected{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5};
