@@ -257,10 +257,10 @@ std::optional<TexturedFeatures> feature_map(GltfDocument& document, std::size_t 
   for (std::size_t i = 0; i < features.size(); ++i) {
     std::uint32_t value = 0;
     for (std::size_t k = 0; k < bytes->size(); ++k) {
-      value |= std::uint32_t{rgba[4 * i + static_cast<std::size_t>((*bytes)[k])]} << (8 * k);
+      value |= std::uint32_t{rgba[4 * i + (*bytes)[k]]} << (8 * k);
     }
     const auto feature = set->feature(value);
-    strange += feature ? 0 : 1;
+    strange += feature ? 0U : 1U;
     features[i] = feature.value_or(none);
   }
   if (strange > 0) {
