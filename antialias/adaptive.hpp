@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "antialias/antialias.hpp"
 
 namespace raycat {
@@ -8,6 +10,10 @@ struct AdaptiveSettings {
   /// How far a pixel's colour may be off, as distances of linear colours are measured. What is less
   /// is left alone.
   float error = 0.01f;
+
+  /// How many rays a pixel to spend in place of that, on the average: on what may be off most,
+  /// first. The corners of pixels, a little more than one a pixel, are always traced.
+  std::optional<double> budget;
 
   /// Do categories take part in what is decided? Without them colours alone do, for comparison.
   bool categories = true;

@@ -4,6 +4,9 @@
 #include <functional>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
+#include "antialias/filter.hpp"
 #include "antialias/sample_lattice.hpp"
 #include "antialias/sampler.hpp"
 
@@ -15,12 +18,11 @@ struct TreeShare {
   float share = 0.0f;
 };
 
-/// Averages of a picture over its pixels, linear, each sample limited to what a display can show.
+/// Averages of a picture over its pixels, of samples as `ColourSample` has them.
 struct SmoothPicture {
   int width = 0;
   int height = 0;
-  std::vector<glm::vec3> colour;  ///< width * height, rows from the top
-  std::vector<float> alpha;       ///< the part of the pixel that is not background
+  std::vector<glm::vec4> colour;  ///< width * height, rows from the top, alpha associated
   /// Which trees each pixel is of, with shares that sum to 1; only where it is asked for. A tree
   /// may be there more than once.
   std::vector<std::vector<TreeShare>> coverage;
@@ -28,6 +30,7 @@ struct SmoothPicture {
   std::uint64_t refined = 0;  ///< pixels that were sampled beyond their corners
 
   SmoothPicture(int width_in, int height_in);
+  std::vector<glm::vec3> without_alpha() const;
   std::size_t index(int x, int y) const noexcept {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
@@ -40,6 +43,7 @@ struct SmoothSettings {
   int height = 512;
   int threads = 1;
   bool coverage = false;  ///< fill `SmoothPicture::coverage`, as uniform and adaptive methods can
+  Filter filter = Filter::box;  ///< of the colours of these two; coverage is that of the box
 
   /// Called now and then with the rows done and their number, one call at a time.
   std::function<void(int done, int rows)> progress;

@@ -1,16 +1,24 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace raycat {
 
-/// How far two linear colours are apart: the root of the mean square over channels.
-inline float distance_of(const glm::vec3& a, const glm::vec3& b) {
-  const glm::vec3 d = a - b;
-  return std::sqrt(glm::dot(d, d) / 3.0f);
+/// How much a difference of two linear colours with associated alpha counts: the root of the mean
+/// square over channels, over black or over white, whichever shows more.
+inline float magnitude(const glm::vec4& difference) {
+  const glm::vec3 over_black(difference);
+  const glm::vec3 over_white = over_black - difference.a;
+  return std::sqrt(std::max(glm::dot(over_black, over_black), glm::dot(over_white, over_white)) /
+                   3.0f);
 }
+
+/// How far two linear colours with associated alpha are apart.
+inline float distance_of(const glm::vec4& a, const glm::vec4& b) { return magnitude(a - b); }
 
 }  // namespace raycat

@@ -31,11 +31,9 @@ SmoothPicture over_lattice(Sampler& sampler, const SmoothSettings& settings, int
     for (int x = 0; x < settings.width; ++x) {
       const Square pixel = pixel_square(lattice, x, y);
       const Corners corners = pixel.corners(lattice, worker);
-      const std::optional<Mean> better = refine(lattice, pixel, corners, worker);
-      const Mean mean = better.value_or(mean_of(corners));
+      const std::optional<glm::vec4> better = refine(lattice, pixel, corners, worker);
       refined += better ? 1 : 0;
-      out.colour[out.index(x, y)] = mean.colour;
-      out.alpha[out.index(x, y)] = mean.alpha;
+      out.colour[out.index(x, y)] = better.value_or(mean_of(corners));
     }
     progress.row_done();
   });
@@ -46,14 +44,14 @@ SmoothPicture over_lattice(Sampler& sampler, const SmoothSettings& settings, int
 
 // The means of the corners of all the squares of one lattice unit in a pixel, which is to count a
 // sample half on a side and a quarter at a corner.
-Mean mean_of_units(SampleLattice& lattice, const Square& pixel, int worker) {
-  Mean sum;
+glm::vec4 mean_of_units(SampleLattice& lattice, const Square& pixel, int worker) {
+  glm::vec4 sum(0.0f);
   for (int j = 0; j <= pixel.size; ++j) {
     for (int i = 0; i <= pixel.size; ++i) {
       const bool side_x = i == 0 || i == pixel.size;
       const bool side_y = j == 0 || j == pixel.size;
       const float weight = (side_x ? 0.5f : 1.0f) * (side_y ? 0.5f : 1.0f);
-      sum = sum + weight * mean_of(lattice.at(pixel.at + glm::ivec2(i, j), worker));
+      sum += weight * lattice.at(pixel.at + glm::ivec2(i, j), worker).colour;
     }
   }
   return 1.0f / static_cast<float>(pixel.size * pixel.size) * sum;
@@ -61,16 +59,16 @@ Mean mean_of_units(SampleLattice& lattice, const Square& pixel, int worker) {
 
 // Squares in quarters, as deep as `parting` and the lattice say. A picture has no deeper recursion
 // than the lattice has levels, seven at most.
-Mean parted(SampleLattice& lattice, const Square& square, const Parting& parting, int worker) {
+glm::vec4 parted(SampleLattice& lattice, const Square& square, const Parting& parting, int worker) {
   const Corners corners = square.corners(lattice, worker);
   const double side = static_cast<double>(square.size) / lattice.units();
   if (square.size == 1 || !parting(corners, side * side)) {
     return mean_of(corners);
   }
-  Mean sum;
+  glm::vec4 sum(0.0f);
   const int half = square.size / 2;
   for (const glm::ivec2 quarter : {glm::ivec2(0, 0), {half, 0}, {0, half}, {half, half}}) {
-    sum = sum + parted(lattice, {.at = square.at + quarter, .size = half}, parting, worker);
+    sum += parted(lattice, {.at = square.at + quarter, .size = half}, parting, worker);
   }
   return 0.25f * sum;
 }
@@ -78,31 +76,38 @@ Mean parted(SampleLattice& lattice, const Square& square, const Parting& parting
 }  // namespace
 
 SmoothPicture::SmoothPicture(int width_in, int height_in)
-    : width(width_in), height(height_in), colour(index(0, height_in)), alpha(colour.size()) {}
+    : width(width_in), height(height_in), colour(index(0, height_in)) {}
+
+std::vector<glm::vec3> SmoothPicture::without_alpha() const {
+  return {colour.begin(), colour.end()};
+}
 
 SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings, int side) {
   SmoothPicture out(settings.width, settings.height);
   out.coverage.resize(settings.coverage ? out.colour.size() : 0);
   RowProgress progress(settings.progress, settings.height);
+  FilteredPicture filtered(settings.filter, settings.width, settings.height, side);
+  const float share = 1.0f / static_cast<float>(side * side);
   parallel_rows(settings.height, settings.threads, [&](int y, int worker) {
-    const float share = 1.0f / static_cast<float>(side * side);
-    for (int x = 0; x < out.width; ++x) {
-      Mean sum;
-      for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-          const ColourSample sample =
-              sampler.sample({x + (i + 0.5) / side, y + (j + 0.5) / side}, worker);
-          sum = sum + mean_of(sample);
-          if (settings.coverage) {
-            out.coverage[out.index(x, y)].push_back({.tree = sample.tree, .share = share});
-          }
+    std::vector<glm::vec4> cells;
+    cells.reserve(static_cast<std::size_t>(settings.width * side * side));
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < settings.width * side; ++i) {
+        const ColourSample sample =
+            sampler.sample({(i + 0.5) / side, y + (j + 0.5) / side}, worker);
+        cells.push_back(sample.colour);
+        if (settings.coverage) {
+          out.coverage[out.index(i / side, y)].push_back({.tree = sample.tree, .share = share});
         }
       }
-      out.colour[out.index(x, y)] = share * sum.colour;
-      out.alpha[out.index(x, y)] = share * sum.alpha;
     }
+    filtered.set_row(y, cells);
     progress.row_done();
   });
+  for (int y = 0; y < settings.height; ++y) {
+    filtered.gather_row(
+        y, std::span(out.colour).subspan(out.index(0, y), static_cast<std::size_t>(out.width)));
+  }
   out.samples.colour =
       out.colour.size() * static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
   out.refined = side > 1 ? out.colour.size() : 0;
@@ -119,7 +124,7 @@ SmoothPicture smooth_selected(Sampler& sampler, const SmoothSettings& settings,
                               const Selection& selection, int side) {
   return over_lattice(sampler, settings, side,
                       [&](SampleLattice& lattice, const Square& pixel, const Corners& corners,
-                          int worker) -> std::optional<Mean> {
+                          int worker) -> std::optional<glm::vec4> {
                         return selection(corners)
                                    ? std::optional(mean_of_units(lattice, pixel, worker))
                                    : std::nullopt;
@@ -140,7 +145,7 @@ SmoothPicture smooth_recursively(Sampler& sampler, const SmoothSettings& setting
                                  const Parting& parting, int depth) {
   return over_lattice(sampler, settings, 1 << depth,
                       [&](SampleLattice& lattice, const Square& pixel, const Corners& corners,
-                          int worker) -> std::optional<Mean> {
+                          int worker) -> std::optional<glm::vec4> {
                         return depth > 0 && parting(corners, 1.0)
                                    ? std::optional(parted(lattice, pixel, parting, worker))
                                    : std::nullopt;

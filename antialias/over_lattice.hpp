@@ -9,29 +9,12 @@
 
 namespace raycat {
 
-/// The mean of a pixel, or of a part of one.
-struct Mean {
-  glm::vec3 colour{0.0f};
-  float alpha = 0.0f;
-
-  friend Mean operator*(float share, const Mean& of) {
-    return {.colour = share * of.colour, .alpha = share * of.alpha};
-  }
-  friend Mean operator+(const Mean& a, const Mean& b) {
-    return {.colour = a.colour + b.colour, .alpha = a.alpha + b.alpha};
-  }
-};
-
-inline Mean mean_of(const ColourSample& sample) {
-  return {.colour = sample.colour, .alpha = sample.background ? 0.0f : 1.0f};
-}
-
 /// The four corners of a square, left to right, top to bottom.
 using Corners = std::array<const ColourSample*, 4>;
 
-inline Mean mean_of(const Corners& corners) {
-  return 0.25f * ((mean_of(*corners[0]) + mean_of(*corners[1])) +
-                  (mean_of(*corners[2]) + mean_of(*corners[3])));
+inline glm::vec4 mean_of(const Corners& corners) {
+  return 0.25f *
+         ((corners[0]->colour + corners[1]->colour) + (corners[2]->colour + corners[3]->colour));
 }
 
 /// The greatest distance of two corners' colours.

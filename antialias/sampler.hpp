@@ -4,7 +4,7 @@
 #include <optional>
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace raycat {
 
@@ -14,10 +14,11 @@ enum class TreeId : std::uint32_t {};
 
 /// What one ray through the image tells.
 struct ColourSample {
-  glm::vec3 colour{0.0f};  ///< linear, each channel from 0 to 1: what a display can show
+  /// Linear, each channel from 0 to 1: what a display can show. Alpha is 1, or all is 0 where the
+  /// background is left out.
+  glm::vec4 colour{0.0f, 0.0f, 0.0f, 1.0f};
   TreeId tree{};
-  bool textured = false;    ///< did the ray meet a textured surface on its way (Section 4.2)?
-  bool background = false;  ///< did it leave the scene at once?
+  bool textured = false;  ///< did the ray meet a textured surface on its way (Section 4.2)?
 };
 
 /// A picture that can be sampled at any point, in pixels from its top left corner, by any number

@@ -14,16 +14,6 @@
 
 namespace raycat {
 
-/// Colour and alpha of a sample.
-inline glm::vec4 value(const ColourSample& sample) {
-  return {sample.colour, sample.background ? 0.0f : 1.0f};
-}
-
-/// How much a difference of values counts: its colour.
-inline float magnitude(const glm::vec4& difference) {
-  return distance_of(glm::vec3(difference), glm::vec3(0.0f));
-}
-
 /// A convex part of a square, in units of the square's side, with a value at each corner.
 struct SquareRegion {
   std::array<glm::vec2, 5> points{};

@@ -14,15 +14,12 @@ constexpr int deepest = 4;  // times that a pixel is parted
 constexpr std::array<std::size_t, 4> turn{0, 1, 3, 2};
 constexpr std::array<glm::ivec2, 4> turn_at{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-glm::vec4 mean(const Corners& corners) {
-  return 0.25f *
-         ((value(*corners[0]) + value(*corners[1])) + (value(*corners[2]) + value(*corners[3])));
-}
-
 }  // namespace
 
-SquareSmoother::Result SquareSmoother::smooth(int x, int y) {
+SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* patch) {
   result_ = {};
+  error_ = error;
+  patch_ = patch;
   result_.mean = integrate(pixel_square(lattice_, x, y));
   return result_;
 }
@@ -56,19 +53,31 @@ glm::vec4 SquareSmoother::integrate(const Square& square) {
   return as_parts(square, corners);
 }
 
-// The mean of the corners, which cover a quarter each of a share of the square.
-glm::vec4 SquareSmoother::mean_of(const Square& square, const Corners& corners, float share) {
+// A square that is not cut: its mean. Corners cover a quarter each of a share of it.
+glm::vec4 SquareSmoother::whole(const Square& square, const Corners& corners, const glm::vec4& mean,
+                                float share) {
   for (const ColourSample* corner : corners) {
     cover(corner->tree, 0.25f * share * area(square));
   }
-  return mean(corners);
+  if (patch_ != nullptr) {
+    patch_->add(place(square), std::sqrt(area(square)),
+                {corners[0]->colour, corners[1]->colour, corners[2]->colour, corners[3]->colour},
+                mean);
+  }
+  return mean;
+}
+
+// Where a square is in its pixel.
+glm::vec2 SquareSmoother::place(const Square& square) const {
+  return glm::vec2(square.at % lattice_.units()) / static_cast<float>(lattice_.units());
 }
 
 // In four, each integrated by itself. The samples that this puts on the pixel's borders tell its
 // neighbours something.
 glm::vec4 SquareSmoother::part(const Square& square) {
   if (square.size <= lattice_.units() >> deepest) {
-    return mean_of(square, square.corners(lattice_, worker_));
+    const Corners corners = square.corners(lattice_, worker_);
+    return whole(square, corners, mean_of(corners));
   }
   const int half = square.size / 2;
   const int units = lattice_.units();
@@ -112,7 +121,7 @@ bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
 // nothing if it may be off by more than is allowed.
 std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const Corners& corners) {
   const float greatest = farthest(corners);
-  const float allowed = settings_.error / area(square);
+  const float allowed = error_ / area(square);
   // Half of the greatest difference cannot be exceeded by much, and most squares are flat.
   constexpr float without_neighbours = 0.08f;
   glm::vec4 correction(0.0f);
@@ -134,7 +143,7 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
       const auto add = [&](const ColourSample* outer, const ColourSample& near,
                            const ColourSample& far) {
         if (outer != nullptr && (outer->tree == near.tree || !settings_.categories)) {
-          const glm::vec4 second = value(*outer) - 2.0f * value(near) + value(far);
+          const glm::vec4 second = outer->colour - 2.0f * near.colour + far.colour;
           sum += second;
           largest = std::max(largest, magnitude(second));
           ++count;
@@ -154,15 +163,16 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
   if (error > allowed) {
     return std::nullopt;
   }
-  return mean_of(square, corners) - correction;
+  may_be_off(error * area(square));
+  return whole(square, corners, mean_of(corners) - correction);
 }
 
 glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners) {
   const float a = area(square);
   const float greatest = farthest(corners);
-  const CornerLabels labels = label_corners(corners, !settings_.categories,
-                                            std::max(2.0f * settings_.error / a, 0.2f * greatest));
-  if (labels.count == 1 || labels.apart * a / 4.0f < settings_.error) {
+  const CornerLabels labels =
+      label_corners(corners, !settings_.categories, std::max(2.0f * error_ / a, 0.2f * greatest));
+  if (labels.count == 1 || labels.apart * a / 4.0f < error_) {
     const auto one = as_one(square, corners, greatest);
     return one ? *one : part(square);
   }
@@ -173,9 +183,10 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
     return part(square);
   }
   const ColourSample& centre = sample(square.at + square.size / 2);
-  if (labels.apart * a / 8.0f < settings_.error) {
+  if (labels.apart * a / 8.0f < error_) {
+    may_be_off(labels.apart * a / 8.0f);
     cover(centre.tree, 0.5f * a);
-    return 0.5f * (mean_of(square, corners, 0.5f) + value(centre));
+    return whole(square, corners, 0.5f * (mean_of(corners) + centre.colour), 0.5f);
   }
   return part(square);
 }
@@ -183,7 +194,7 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
 // An edge that cannot be seen; nothing if a sample on the sides is far from what the corners tell.
 std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corners& corners,
                                                 float greatest) {
-  const float allowed = std::max(4.0f * settings_.error / area(square), greatest);
+  const float allowed = std::max(4.0f * error_ / area(square), greatest);
   for (std::size_t i = 0; i < turn_at.size(); ++i) {
     std::size_t from = i;
     std::size_t to = (i + 1) % 4;
@@ -194,14 +205,15 @@ std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corn
                      on_side_);
     for (const SampleLattice::OnSide& met : on_side_) {
       const float at = static_cast<float>(met.from_start) / static_cast<float>(square.size);
-      const glm::vec3 expected =
+      const glm::vec4 expected =
           glm::mix(corners[turn[from]]->colour, corners[turn[to]]->colour, at);
       if (distance_of(met.sample->colour, expected) > allowed) {
         return std::nullopt;
       }
     }
   }
-  return mean_of(square, corners);
+  may_be_off(0.25f * greatest * area(square));
+  return whole(square, corners, mean_of(corners));
 }
 
 // Halves the part of a side in which the label changes, `steps` times. Nothing if a sample is of
@@ -230,7 +242,7 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& squa
       const float to_before = distance_of(met.colour, at_low->colour);
       const float to_after = distance_of(met.colour, at_high->colour);
       const float nearest = std::min(to_before, to_after);
-      if (!(nearest < 0.35f * ends || nearest * a / 4.0f < settings_.error)) {
+      if (!(nearest < 0.35f * ends || nearest * a / 4.0f < error_)) {
         return std::nullopt;
       }
       label = to_before <= to_after ? before : after;
@@ -245,8 +257,8 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& squa
   }
   return Crossing{.at = 0.5f * static_cast<float>(low + high) / static_cast<float>(square.size),
                   .exact = 0.5f * static_cast<float>(high - low) / static_cast<float>(square.size),
-                  .before = value(*at_low),
-                  .after = value(*at_high)};
+                  .before = at_low->colour,
+                  .after = at_high->colour};
 }
 
 // The same by rays that only tell the two trees apart; what is beside the crossing, the surfaces of
@@ -289,7 +301,7 @@ SurfaceFit SquareSmoother::surface(const Square& square, const Corners& corners,
     for (int i = -1; i <= 2; ++i) {
       const ColourSample* sample = lattice_.find(square.at + square.size * glm::ivec2(i, j));
       if (sample != nullptr && label_of(*sample, corners, labels, !settings_.categories) == label) {
-        met[count++] = {glm::vec2(i, j), value(*sample)};
+        met[count++] = {glm::vec2(i, j), sample->colour};
       }
     }
   }
@@ -311,8 +323,8 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   if (crossings != 2) {
     return std::nullopt;
   }
-  const int steps = std::max(
-      1, static_cast<int>(std::ceil(std::log2(labels.apart * a / (4.0f * settings_.error)))));
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil(std::log2(labels.apart * a / (4.0f * error_)))));
   std::array<SurfaceFit, 4> surfaces;
   std::array<bool, 4> is_label{};
   for (const int label : labels.of) {
@@ -323,7 +335,7 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
     }
   }
   const bool flat = std::ranges::all_of(labels.of, [&](int label) {
-    return surfaces[static_cast<std::size_t>(label)].range * a <= settings_.error;
+    return surfaces[static_cast<std::size_t>(label)].range * a <= error_;
   });
   const auto crossing = [&](int side) {
     const auto i = static_cast<std::size_t>(side);
@@ -351,7 +363,7 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   const auto add_corner = [&](SquareRegion& region, int corner) {
     const auto i = static_cast<std::size_t>(corner % 4);
     region.label = labels.of[turn[i]];
-    region.add(glm::vec2(turn_at[i]), value(*corners[turn[i]]));
+    region.add(glm::vec2(turn_at[i]), corners[turn[i]]->colour);
   };
   regions[0].add(start, first->after);
   for (int corner = crossed[0] + 1; corner <= crossed[1]; ++corner) {
@@ -364,6 +376,7 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   }
   regions[1].add(start, first->before);
 
+  float may_be = std::ldexp(labels.apart * a / 4.0f, -steps);
   glm::vec4 sum(0.0f);
   std::array<RegionIntegral, 2> parts;
   std::array<const SurfaceFit*, 2> seen{};
@@ -372,12 +385,16 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
     sum += parts[i].area * parts[i].mean;
     seen[i] = &surfaces[static_cast<std::size_t>(regions[i].label)];
     const glm::vec4 expected = seen[i]->at(parts[i].centre);
-    if (seen[i]->plane &&
-        magnitude(expected - parts[i].mean) * parts[i].area * a / 2.0f > settings_.error) {
+    const float off =
+        seen[i]->plane ? magnitude(expected - parts[i].mean) * parts[i].area * a / 2.0f : 0.0f;
+    if (off > error_) {
       return std::nullopt;
     }
+    may_be = std::max(may_be, off);
   }
-  if (0.05f * labels.apart * a > settings_.error) {
+  if (0.05f * labels.apart * a <= error_) {
+    may_be = std::max(may_be, 0.05f * labels.apart * a);
+  } else {
     const ColourSample& centre = sample(square.at + square.size / 2);
     const glm::vec2 chord = end - start;
     const auto side_of = [&](const glm::vec2& point) {
@@ -394,12 +411,15 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
                   : labels.apart;
     } else {
       const glm::vec4 expected = seen[is]->plane ? seen[is]->at(glm::vec2(0.5f)) : parts[is].mean;
-      error = magnitude(value(centre) - expected);
+      error = magnitude(centre.colour - expected);
     }
-    if (error * parts[is].area * a / 2.0f > settings_.error) {
+    const float off = error * parts[is].area * a / 2.0f;
+    if (off > error_) {
       return std::nullopt;
     }
+    may_be = std::max(may_be, off);
   }
+  may_be_off(may_be);
   // Each corner stands for its part of what its label covers.
   for (std::size_t r = 0; r < parts.size(); ++r) {
     const int label = regions[r].label;
@@ -410,6 +430,12 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
         cover(corners[i]->tree, share);
       }
     }
+  }
+  for (std::size_t r = 0; patch_ != nullptr && r < parts.size(); ++r) {
+    const auto change = [&](std::size_t axis) {
+      return seen[r]->plane ? (*seen[r]->plane)[axis] : glm::vec4(0.0f);
+    };
+    patch_->add(place(square), std::sqrt(a), regions[r], parts[r], change(1), change(2));
   }
   if (square.size == lattice_.units()) {
     const glm::vec2 middle = 0.5f * (start + end);

@@ -11,6 +11,7 @@
 #include "antialias/border.hpp"
 #include "antialias/corner_labels.hpp"
 #include "antialias/over_lattice.hpp"
+#include "antialias/patch.hpp"
 #include "antialias/square_region.hpp"
 
 namespace raycat {
@@ -28,11 +29,16 @@ class SquareSmoother {
   struct Result {
     std::vector<TreeShare> shares;  ///< that sum to 1, if they are wanted; trees may be there twice
     glm::vec4 mean{0.0f};
+    /// What the mean may be off by, as far as `AdaptiveSettings::error` has a say in it.
+    float error = 0.0f;
     bool refined = false;
     std::array<bool, 4> borders{};  ///< left, right, above, below
     std::optional<Border> cut;      ///< the only border within it, if that is straight
   };
-  Result smooth(int x, int y);
+  Result smooth(int x, int y) { return smooth(x, y, settings_.error, nullptr); }
+
+  /// The same with an error of its own, and what is where within the pixel, if that is wanted.
+  Result smooth(int x, int y, float error, Patch* patch);
 
  private:
   // Where the border between two labels crosses a side.
@@ -48,7 +54,10 @@ class SquareSmoother {
       result_.shares.push_back({.tree = tree, .share = share});
     }
   }
-  glm::vec4 mean_of(const Square& square, const Corners& corners, float share = 1.0f);
+  glm::vec4 whole(const Square& square, const Corners& corners, const glm::vec4& mean,
+                  float share = 1.0f);
+  void may_be_off(float error) { result_.error = std::max(result_.error, error); }
+  glm::vec2 place(const Square& square) const;
   const ColourSample& sample(const glm::ivec2& point);
   float area(const Square& square) const;
 
@@ -72,6 +81,8 @@ class SquareSmoother {
   const AdaptiveSettings& settings_;
   bool covers_;
   int worker_;
+  float error_ = 0.0f;  // that is allowed in the pixel
+  Patch* patch_ = nullptr;
   Result result_;
   std::vector<SampleLattice::OnSide> on_side_;
 };

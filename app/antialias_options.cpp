@@ -56,13 +56,28 @@ void add_antialias(CLI::App& command, AntialiasOptions& options) {
                               "apart; {} by default",
                               default_threshold))
       ->type_name("T")
-      ->check(CLI::Range(0.0f, 1.0f));
+      ->check(number_in(0.0, 1.0));
   command
       .add_option(
           "--quality", options.quality,
           "--aa adaptive: the error of a pixel's colour that is left alone; 0.01 by default")
       ->type_name("E")
-      ->check(CLI::Range(1e-5f, 1.0f));
+      ->check(number_in(1e-5, 1.0));
+  command
+      .add_option("--budget", options.budget,
+                  "--aa adaptive: rays a pixel to spend, in place of --quality, on what may be "
+                  "off most, first")
+      ->type_name("R")
+      ->check(number_in(1.0, 1024.0))
+      ->excludes("--quality");
+  add_choice<std::optional<Filter>>(command, "--filter", options.filter,
+                                    {{"box", Filter::box},
+                                     {"tent", Filter::tent},
+                                     {"gaussian", Filter::gaussian},
+                                     {"mitchell", Filter::mitchell}},
+                                    "--aa uniform, adaptive: how pixels are put together: box "
+                                    "(default), tent, gaussian or mitchell")
+      ->type_name("FILTER");
   command.add_flag("--by-area", options.by_area,
                    "--aa whitted: weigh differences with the area that they are of");
   command.add_flag("--recursive", options.recursive,
@@ -87,6 +102,8 @@ void require_antialias(const AntialiasOptions& options) {
   require(options.samples.has_value(), "--samples", {uniform, threshold, whitted, category});
   require(options.threshold.has_value(), "--threshold", {threshold, whitted});
   require(options.quality.has_value(), "--quality", {adaptive});
+  require(options.budget.has_value(), "--budget", {adaptive});
+  require(options.filter.has_value(), "--filter", {uniform, adaptive});
   require(options.by_area, "--by-area", {whitted});
   require(options.recursive, "--recursive", {category});
   require(options.colour_only, "--colour-only", {adaptive});
@@ -98,8 +115,8 @@ void require_antialias(const AntialiasOptions& options) {
   }
 }
 
-SmoothPicture smooth(Sampler& sampler, const SmoothSettings& settings,
-                     const AntialiasOptions& options) {
+SmoothPicture smooth(Sampler& sampler, SmoothSettings settings, const AntialiasOptions& options) {
+  settings.filter = options.filter.value_or(Filter::box);
   const int side = options.samples.value_or(default_side);
   const float threshold = options.threshold.value_or(default_threshold);
   switch (*options.method) {
@@ -119,6 +136,7 @@ SmoothPicture smooth(Sampler& sampler, const SmoothSettings& settings,
   }
   return smooth_adaptively(sampler, settings,
                            {.error = options.quality.value_or(AdaptiveSettings().error),
+                            .budget = options.budget,
                             .categories = !options.colour_only});
 }
 

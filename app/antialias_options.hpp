@@ -16,6 +16,8 @@ struct AntialiasOptions {
   std::optional<int> samples;
   std::optional<float> threshold;
   std::optional<float> quality;
+  std::optional<double> budget;
+  std::optional<Filter> filter;
   bool by_area = false;
   bool recursive = false;
   bool colour_only = false;
@@ -26,8 +28,7 @@ void add_antialias(CLI::App& command, AntialiasOptions& options);
 /// Throws `UsageError` for options that the method has no use for.
 void require_antialias(const AntialiasOptions& options);
 
-/// The picture by the method, which must be there.
-SmoothPicture smooth(Sampler& sampler, const SmoothSettings& settings,
-                     const AntialiasOptions& options);
+/// The picture by the method, which must be there, and with the filter of the options.
+SmoothPicture smooth(Sampler& sampler, SmoothSettings settings, const AntialiasOptions& options);
 
 }  // namespace raycat::app

@@ -65,16 +65,21 @@ void smooth_picture(const RenderOptions& options, const Accel& accel, const Came
                     const RenderSettings& settings, Rendered& rendered) {
   ProgressBar bar(options.common.scene, options.common.quiet);
   SceneSampler sampler(accel, camera, settings.width, settings.height, settings.levels,
-                       settings.threads);
+                       settings.threads, options.alpha ? Backdrop::transparent : Backdrop::shown);
   rendered.smooth = smooth(sampler,
                            {.width = settings.width,
                             .height = settings.height,
                             .threads = settings.threads,
                             .coverage = !options.coverage.empty(),
                             .progress = bar.callback()},
-                           options.antialias);
+                           *smoothing(options));
   rendered.colour = Image(settings.width, settings.height);
-  rendered.colour.pixels = rendered.smooth->colour;
+  rendered.colour.pixels = rendered.smooth->without_alpha();
+  if (options.alpha) {
+    for (const glm::vec4& pixel : rendered.smooth->colour) {
+      rendered.colour.alpha.push_back(pixel.a);
+    }
+  }
   rendered.rays += sampler.rays();
   if (!options.coverage.empty()) {
     rendered.coverage = coverage_image(
@@ -166,9 +171,9 @@ void render(const RenderOptions& options, const CLI::App& command) {
   {
     ProgressBar bar(options.common.scene, options.common.quiet);
     settings.progress = bar.callback();
-    if (options.antialias.method ? wants_categories(options) : options.method.has_value()) {
+    if (smoothing(options) ? wants_categories(options) : options.method.has_value()) {
       rendered.categorized = raycat::render(accel, camera, settings);
-    } else if (!options.antialias.method) {
+    } else if (!smoothing(options)) {
       rendered.colour = render_colour(accel, camera, settings, rendered.rays);
     }
   }
@@ -177,7 +182,7 @@ void render(const RenderOptions& options, const CLI::App& command) {
     find_edges(options, accel, camera, settings, rendered);
   }
   seconds.edges = watch.lap();
-  if (options.antialias.method) {
+  if (smoothing(options)) {
     smooth_picture(options, accel, camera, settings, rendered);
   }
   seconds.antialias = watch.lap();

@@ -105,6 +105,8 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
       ->type_name("METHOD");
   add_detail(command, options.detail);
   add_antialias(command, options.antialias);
+  command.add_flag("--alpha", options.alpha,
+                   "The background is transparent: alpha in the picture, .png or .exr");
   const auto output = [&](const char* name, std::string& path, const char* help) {
     command.add_option(name, path, help)->type_name("FILE");
   };
@@ -160,6 +162,9 @@ void require_outputs(const RenderOptions& options, const ImageSize& size) {
   if (!options.out.empty()) {
     paths.push_back(options.out);
   }
+  if (options.alpha && (options.out.empty() || options.view_as || !holds_alpha(options.out))) {
+    throw UsageError("--alpha: give -o OUT.png or OUT.exr for the picture, which is to have it");
+  }
   for (const std::string& path : paths) {
     require_image_path(path);
   }
@@ -203,6 +208,15 @@ void require_outputs(const RenderOptions& options, const ImageSize& size) {
     }
     require_writable(path);
   }
+}
+
+std::optional<AntialiasOptions> smoothing(const RenderOptions& options) {
+  if (options.antialias.method) {
+    return options.antialias;
+  }
+  // The one sample that others take too, but which knows what is background.
+  return options.alpha ? std::optional(AntialiasOptions{.method = Smoothing::uniform, .samples = 1})
+                       : std::nullopt;
 }
 
 bool wants_categories(const RenderOptions& options) {

@@ -22,6 +22,7 @@ struct RenderOptions {
   DetailOptions detail;
   int subpixel = 0;
   AntialiasOptions antialias;
+  bool alpha = false;
   int ranks = 6;
 
   std::string out;
@@ -44,6 +45,9 @@ void add_render_options(CLI::App& command, RenderOptions& options);
 /// outputs in one file, an output in place of the scene, and files that cannot be written. Throws
 /// `UsageError`, or `std::runtime_error` for what the system refuses.
 void require_outputs(const RenderOptions& options, const ImageSize& size);
+
+/// How the picture is sampled by antialiasing; nothing if it is what categories are found with.
+std::optional<AntialiasOptions> smoothing(const RenderOptions& options);
 
 /// Is anything wanted that comes of categories, or of what they are?
 bool wants_categories(const RenderOptions& options);

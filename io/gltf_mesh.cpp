@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "geometry/mesh.hpp"
+#include "geometry/parallel.hpp"
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_primitive.hpp"
 #include "io/scene_file.hpp"
@@ -89,11 +91,19 @@ void GltfMeshes::check_bounds(std::size_t accessor) {
   const GltfAccessor values(document_, accessor);
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const glm::dvec3 value(values[i]);
-    low = glm::min(low, value);
-    high = glm::max(high, value);
-  }
+  std::mutex taking;
+  parallel_parts(values.size(), options_.threads, [&](std::size_t begin, std::size_t end, int) {
+    glm::dvec3 part_low(std::numeric_limits<double>::infinity());
+    glm::dvec3 part_high = -part_low;
+    for (std::size_t i = begin; i < end; ++i) {
+      const glm::dvec3 value(values[i]);
+      part_low = glm::min(part_low, value);
+      part_high = glm::max(part_high, value);
+    }
+    const std::lock_guard lock(taking);
+    low = glm::min(low, part_low);
+    high = glm::max(high, part_high);
+  });
   const glm::dvec3 told_low(of.minValues[0], of.minValues[1], of.minValues[2]);
   const glm::dvec3 told_high(of.maxValues[0], of.maxValues[1], of.maxValues[2]);
   constexpr double rounding = 1e-5;

@@ -1,6 +1,7 @@
 #include "io/gltf_primitive.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/parallel.hpp"
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_borders.hpp"
 
@@ -31,10 +33,11 @@ bool finite(const Vector& vector) {
 
 class PrimitiveReader {
  public:
-  PrimitiveReader(GltfDocument& document, std::size_t mesh, std::size_t primitive)
+  PrimitiveReader(GltfDocument& document, std::size_t mesh, std::size_t primitive, int threads)
       : document_(document),
         mesh_(mesh),
         primitive_(primitive),
+        threads_(threads),
         from_(document.model.meshes[mesh].primitives[primitive]),
         place_(fmt::format("meshes[{}]", mesh)),
         path_(fmt::format("primitives[{}]", primitive)) {}
@@ -56,10 +59,10 @@ class PrimitiveReader {
       const Stopwatch reading(budget.spent().meshes);
       mesh->triangles.triangles = read_triangles(positions->size(), budget);
       vertices = renumber(mesh->triangles.triangles, positions->size());
-      mesh->triangles.positions.reserve(vertices.size());
-      for (const std::uint32_t vertex : vertices) {
-        mesh->triangles.positions.emplace_back((*positions)[vertex]);
-      }
+      mesh->triangles.positions.resize(vertices.size());
+      for_each_number(vertices.size(), [&](std::size_t i) {
+        mesh->triangles.positions[i] = glm::dvec3((*positions)[vertices[i]]);
+      });
       polygons = authored_polygons(document_, mesh_, primitive_, mesh->triangles.triangles);
       drop_infinite(mesh->triangles, polygons);
       read_normals(vertices, positions->size(), *mesh);
@@ -78,9 +81,9 @@ class PrimitiveReader {
       mesh->triangles.faces = *std::move(polygons);
       count_faces(mesh->triangles);
     } else if (auto outline = authored_outline(document_, mesh_, primitive_, positions->size())) {
-      group_between(*std::move(outline), vertices, options.threads, mesh->triangles);
+      group_between(*std::move(outline), vertices, mesh->triangles);
     } else {
-      group(options, *mesh);
+      group(options.faces, *mesh);
     }
     const bool deformable = !from_.targets.empty() || from_.attributes.contains("JOINTS_0");
     GltfPrimitive out{.number = primitive_, .triangles = mesh->triangles.triangles.size()};
@@ -101,6 +104,30 @@ class PrimitiveReader {
 
   void warn(const std::string& what) const {
     document_.warnings.push_back(fmt::format("{}: {}: {}", place_, path_, what));
+  }
+
+  // Calls `work(i)` for the numbers below `size`, on all threads.
+  template <class Work>
+  void for_each_number(std::size_t size, const Work& work) const {
+    parallel_parts(size, threads_, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) {
+        work(i);
+      }
+    });
+  }
+
+  // How many of the numbers below `size` are such that `test(i)`.
+  template <class Test>
+  std::size_t count_numbers(std::size_t size, const Test& test) const {
+    std::atomic<std::size_t> count = 0;
+    parallel_parts(size, threads_, [&](std::size_t begin, std::size_t end, int) {
+      std::size_t of_part = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        of_part += test(i) ? 1 : 0;
+      }
+      count += of_part;
+    });
+    return count;
   }
 
   std::optional<GltfAccessor> attribute(const std::string& name, int least, int most) const {
@@ -147,23 +174,22 @@ class PrimitiveReader {
     constexpr std::uint64_t bytes_a_corner = 64;
     budget.take_memory(document_.file, place_ + ": " + path_, count, bytes_a_corner);
     const auto corner = [&](std::size_t i) {
-      const std::uint32_t vertex = indices ? indices->index(i) : static_cast<std::uint32_t>(i);
-      if (vertex >= vertices) {
-        fail(fmt::format("indices: index {} at {} is past the {} vertices", vertex, i, vertices));
-      }
-      return vertex;
+      return indices ? indices->index(i) : static_cast<std::uint32_t>(i);
     };
-    // What no triangle uses must be in range all the same.
-    const bool list = from_.mode == TINYGLTF_MODE_TRIANGLES;
-    for (std::size_t i = list ? count - count % 3 : count < 3 ? 0 : count; i < count; ++i) {
-      corner(i);
+    const auto out_of_range = [&](std::size_t i) { return corner(i) >= vertices; };
+    if (indices && count_numbers(count, out_of_range) > 0) {
+      std::size_t i = 0;
+      while (!out_of_range(i)) {
+        ++i;
+      }
+      fail(fmt::format("indices: index {} at {} is past the {} vertices", corner(i), i, vertices));
     }
     std::vector<glm::uvec3> triangles;
-    if (list) {
-      triangles.reserve(count / 3);
-      for (std::size_t i = 0; i + 2 < count; i += 3) {
-        triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
-      }
+    if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
+      triangles.resize(count / 3);
+      for_each_number(triangles.size(), [&](std::size_t i) {
+        triangles[i] = {corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)};
+      });
       if (count % 3 != 0) {
         warn(fmt::format("{} corners are no whole number of triangles; the last are ignored",
                          count));
@@ -220,6 +246,10 @@ class PrimitiveReader {
 
   void drop_infinite(TriangleMesh& mesh,
                      std::optional<std::vector<std::uint32_t>>& polygons) const {
+    const auto infinite = [&](std::size_t i) { return !finite(mesh.positions[i]); };
+    if (count_numbers(mesh.positions.size(), infinite) == 0) {
+      return;
+    }
     const auto whole = [&](const glm::uvec3& t) {
       return finite(mesh.positions[t.x]) && finite(mesh.positions[t.y]) &&
              finite(mesh.positions[t.z]);
@@ -253,15 +283,15 @@ class PrimitiveReader {
     if (!normals) {
       return;
     }
-    std::size_t unusable = 0;
-    mesh.normals.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      const glm::dvec3 normal((*normals)[vertex]);
+    mesh.normals.resize(vertices.size());
+    for_each_number(vertices.size(), [&](std::size_t i) {
+      const glm::dvec3 normal((*normals)[vertices[i]]);
       const double length = glm::length(normal);
       const bool usable = std::isfinite(length) && length > 0.0;
-      mesh.normals.push_back(usable ? glm::vec3(normal / length) : glm::vec3(0.0f));
-      unusable += usable ? 0 : 1;
-    }
+      mesh.normals[i] = usable ? glm::vec3(normal / length) : glm::vec3(0.0f);
+    });
+    const std::size_t unusable = count_numbers(
+        mesh.normals.size(), [&](std::size_t i) { return mesh.normals[i] == glm::vec3(0.0f); });
     if (unusable > 0) {
       warn(fmt::format("{} normals have no direction and are made anew", unusable));
       replace_zero_normals(mesh);
@@ -361,17 +391,16 @@ class PrimitiveReader {
     }
   }
 
-  static void group(const LoadOptions& options, SurfaceMesh& mesh) {
+  void group(const FaceRule& rule, SurfaceMesh& mesh) const {
     TriangleMesh& triangles = mesh.triangles;
-    triangles.faces = group_faces(triangles.positions, triangles.triangles, mesh.normals,
-                                  options.faces, options.threads);
+    triangles.faces =
+        group_faces(triangles.positions, triangles.triangles, mesh.normals, rule, threads_);
     count_faces(triangles);
   }
 
   // The outline is of the file's vertices, and lines between those that no triangle uses are none.
-  static void group_between(std::vector<glm::uvec2> outline,
-                            const std::vector<std::uint32_t>& vertices, int threads,
-                            TriangleMesh& mesh) {
+  void group_between(std::vector<glm::uvec2> outline, const std::vector<std::uint32_t>& vertices,
+                     TriangleMesh& mesh) const {
     std::erase_if(outline, [&](const glm::uvec2& line) {
       return !std::ranges::binary_search(vertices, line.x) ||
              !std::ranges::binary_search(vertices, line.y);
@@ -382,7 +411,7 @@ class PrimitiveReader {
             static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, *end) - vertices.begin());
       }
     }
-    mesh.faces = group_faces_between(mesh.positions, mesh.triangles, outline, threads);
+    mesh.faces = group_faces_between(mesh.positions, mesh.triangles, outline, threads_);
     count_faces(mesh);
   }
 
@@ -393,6 +422,7 @@ class PrimitiveReader {
   GltfDocument& document_;
   std::size_t mesh_;
   std::size_t primitive_;
+  int threads_;
   const tinygltf::Primitive& from_;
   std::string place_;
   std::string path_;
@@ -404,7 +434,7 @@ std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t 
                                             std::size_t primitive, const GltfMaterial* material,
                                             const LoadOptions& options, const FeatureNames* names,
                                             GltfTextures& textures, LoadBudget& budget) {
-  return PrimitiveReader(document, mesh, primitive)
+  return PrimitiveReader(document, mesh, primitive, options.threads)
       .read(material, options, names, textures, budget);
 }
 

@@ -10,14 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "io/cut_material.hpp"
 #include "io/excerpt.hpp"
 #include "io/gltf_animation.hpp"
-#include "io/gltf_deformation.hpp"
 #include "io/gltf_extras.hpp"
-#include "io/gltf_instances.hpp"
 #include "io/gltf_material.hpp"
 #include "io/gltf_mesh.hpp"
-#include "io/gltf_nodes.hpp"
+#include "io/gltf_node_mesh.hpp"
 #include "io/gltf_shapes.hpp"
 #include "io/gltf_textures.hpp"
 #include "io/gltf_view.hpp"
@@ -37,7 +36,8 @@ class SceneReader {
         textures_(document_, assembly_.out.scene.textures, assets.budget()),
         materials_(read_materials(document_, textures_)),
         meshes_(document_, materials_, assets.options(), textures_, assets.budget()),
-        colliders_(document_) {
+        colliders_(document_),
+        node_meshes_(document_, meshes_, nodes_, assets.budget()) {
     for (const GltfMaterial& material : materials_) {
       assembly_.out.scene.materials.push_back(material.material);
     }
@@ -93,13 +93,6 @@ class SceneReader {
     std::size_t cut_leaf = 0;  // the first leaf that is subtracted
   };
 
-  // Leaves whose surfaces have the material of another, as `cut_material` asks.
-  struct Cut {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t base = 0;
-  };
-
   void read_objects() {
     in_tree_.assign(document_.model.nodes.size(), false);
     for (const std::size_t node : nodes_.order) {
@@ -107,7 +100,9 @@ class SceneReader {
         continue;
       }
       if (nodes_.hidden[node]) {
-        count_hidden(node);
+        // What is hidden is in the file all the same.
+        assembly_.out.triangles +=
+            document_.model.nodes[node].mesh < 0 ? 0 : node_meshes_.triangles(node);
         continue;
       }
       const NodeExtras extras = node_extras(document_, node);
@@ -153,81 +148,15 @@ class SceneReader {
   }
 
   void read_mesh(std::size_t node) {
-    const auto& from = document_.model.nodes[node];
-    const auto number = static_cast<std::size_t>(from.mesh);
-    const GltfMesh& rest = meshes_.mesh(number);
+    const GltfMesh& rest = node_meshes_.at_rest(node);
     if (rest.primitives.empty()) {
       return;
     }
-    const std::optional<GltfMesh> moved = posed(node, rest);
-    for (const Places& places : places_of(node)) {
-      place_mesh(node, document_.node_name(node) + places.label, moved ? *moved : rest,
-                 places.transforms);
+    const std::optional<GltfMesh> moved = node_meshes_.posed(node);
+    for (const GltfInstanceGroup& group : node_meshes_.places(node)) {
+      place_mesh(node, document_.node_name(node) + group.label, moved ? *moved : rest,
+                 group.transforms);
     }
-  }
-
-  // Where the mesh of a node is; each of these is an object.
-  using Places = GltfInstanceGroup;
-  std::vector<Places> places_of(std::size_t node) {
-    auto groups = instance_groups(document_, node, assets_.budget());
-    if (document_.model.nodes[node].skin >= 0) {
-      if (groups) {
-        warn(node, "its instances are left out, since its mesh has a skin");
-      }
-      // A skin's joints say where its mesh is, not its node.
-      return {{.label = "", .transforms = {glm::dmat4(1.0)}}};
-    }
-    if (!groups) {
-      return {{.label = "", .transforms = {nodes_.world[node]}}};
-    }
-    for (Places& places : *groups) {
-      for (glm::dmat4& transform : places.transforms) {
-        transform = nodes_.world[node] * transform;
-      }
-    }
-    return *std::move(groups);
-  }
-
-  // What is hidden is in the file all the same.
-  void count_hidden(std::size_t node) {
-    if (document_.model.nodes[node].mesh < 0) {
-      return;
-    }
-    const auto groups = instance_groups(document_, node, assets_.budget());
-    std::uint64_t places = groups ? 0 : 1;
-    for (const GltfInstanceGroup& group : groups.value_or(std::vector<GltfInstanceGroup>())) {
-      places += group.transforms.size();
-    }
-    const auto number = static_cast<std::size_t>(document_.model.nodes[node].mesh);
-    for (const GltfPrimitive& primitive : meshes_.mesh(number).primitives) {
-      assembly_.out.triangles += places * primitive.triangles;
-    }
-  }
-
-  // The mesh with the node's morph weights and skin; nothing if it is as at rest.
-  std::optional<GltfMesh> posed(std::size_t node, const GltfMesh& rest) {
-    const auto& from = document_.model.nodes[node];
-    const auto number = static_cast<std::size_t>(from.mesh);
-    const auto& weights =
-        from.weights.empty() ? document_.model.meshes[number].weights : from.weights;
-    std::vector<glm::dmat4> joints;
-    if (from.skin >= 0) {
-      joints = joint_matrices(document_, static_cast<std::size_t>(from.skin), nodes_);
-    }
-    const bool morphed = std::ranges::any_of(weights, [](double weight) { return weight != 0.0; });
-    if (!morphed && joints.empty()) {
-      return std::nullopt;
-    }
-    GltfMesh mesh = rest;
-    for (GltfPrimitive& primitive : mesh.primitives) {
-      if (!primitive.vertices.empty()) {
-        constexpr std::uint64_t bytes_a_vertex = 256;
-        assets_.budget().take_memory(document_.file, document_.node_place(node),
-                                     primitive.vertices.size(), bytes_a_vertex);
-        primitive.mesh = deformed(document_, number, primitive, weights, joints);
-      }
-    }
-    return mesh;
   }
 
   // One object: the mesh at each of the places.
@@ -316,22 +245,6 @@ class SceneReader {
     last_added_ = tree.tree.add(CsgLeaf{.shape = std::move(placed), .first_face = first});
   }
 
-  // Of cuts in cuts, the outermost counts, whose base none of them holds.
-  void cover_cuts(TreeAssembly& tree) {
-    std::ranges::sort(cuts_, [](const Cut& a, const Cut& b) {
-      return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
-    });
-    std::size_t covered = 0;
-    for (const Cut& cut : cuts_) {
-      for (; covered < cut.end; ++covered) {
-        if (covered >= cut.begin) {
-          tree.materials[covered] = tree.materials[cut.base];
-        }
-      }
-    }
-    cuts_.clear();
-  }
-
   // Children before parents, without recursion: trees are as deep as their authors like.
   void read_tree(std::size_t root, TreeAssembly& tree) {
     std::vector<Frame> frames;
@@ -356,7 +269,7 @@ class SceneReader {
         frames.back().operands.push_back(*node);
       }
     }
-    cover_cuts(tree);
+    std::exchange(cuts_, {}).apply(tree.materials);
   }
 
   Frame enter(std::size_t node, TreeAssembly& tree) {
@@ -383,14 +296,15 @@ class SceneReader {
 
   // The mesh at each of its places, in its pose, as an operand.
   std::vector<CsgTree::NodeId> add_mesh_leaves(std::size_t node, TreeAssembly& tree) {
-    const auto number = static_cast<std::size_t>(document_.model.nodes[node].mesh);
-    const GltfMesh& rest = meshes_.mesh(number);
-    const std::optional<GltfMesh> moved = posed(node, rest);
-    const MeshShape shape = moved ? closed(*moved) : meshes_.solid(number);
-    const auto material = rest.primitives.empty() ? std::nullopt : rest.primitives.front().material;
+    const GltfMesh& rest = node_meshes_.at_rest(node);
+    const MeshShape shape = node_meshes_.solid(node);
+    std::optional<std::size_t> material;
+    if (!rest.primitives.empty()) {
+      material = rest.primitives.front().material;
+    }
     std::vector<CsgTree::NodeId> operands;
-    for (const Places& places : places_of(node)) {
-      for (const glm::dmat4& place : places.transforms) {
+    for (const GltfInstanceGroup& group : node_meshes_.places(node)) {
+      for (const glm::dmat4& place : group.transforms) {
         assets_.budget().take_instances(document_.file, document_.node_place(node), 1);
         add_leaf(node, shape, material, place, tree);
         operands.push_back(last_added_);
@@ -416,8 +330,7 @@ class SceneReader {
     }
     if (frame.extras.cut_material == CutMaterial::base &&
         frame.extras.csg == Operation::difference && frame.operands.size() > 1) {
-      cuts_.push_back(
-          {.begin = frame.cut_leaf, .end = tree.tree.leaves().size(), .base = frame.first_leaf});
+      cuts_.add(frame.cut_leaf, tree.tree.leaves().size(), frame.first_leaf);
     }
     if (frame.operands.size() == 1 && !frame.extras.csg) {
       return frame.operands.front();
@@ -483,11 +396,12 @@ class SceneReader {
   GltfMeshes meshes_;
   GltfColliders colliders_;
   GltfNodes nodes_;
+  GltfNodeMeshes node_meshes_;
   std::vector<bool> in_tree_;  // nodes that a CSG tree above them has taken in
   std::size_t hidden_colliders_ = 0;
   std::optional<MaterialId> default_material_;
   CsgTree::NodeId last_added_{};
-  std::vector<Cut> cuts_;  // of the tree being read
+  CutMaterials cuts_;  // of the tree being read
   std::map<const SceneFile*, std::uint32_t> asset_materials_;
 };
 

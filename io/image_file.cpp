@@ -42,13 +42,31 @@ std::uint8_t to_byte(float light) {
       std::lround(255.0f * srgb_from_linear(std::clamp(light, 0.0f, 1.0f))));
 }
 
-std::vector<std::uint8_t> to_bytes(const Image& image) {
+std::vector<std::uint8_t> to_bytes(const Image& image, bool alpha) {
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(3 * image.pixels.size());
-  for (const glm::vec3& pixel : image.pixels) {
+  bytes.reserve((alpha ? 4 : 3) * image.pixels.size());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float share = alpha && image.alpha[i] > 0.0f ? image.alpha[i] : 1.0f;
+    const glm::vec3 pixel = image.pixels[i] / share;
     bytes.insert(bytes.end(), {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b)});
+    if (alpha) {
+      bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * image.alpha[i])));
+    }
   }
   return bytes;
+}
+
+std::vector<float> to_floats(const Image& image, bool alpha) {
+  std::vector<float> floats;
+  floats.reserve((alpha ? 4 : 3) * image.pixels.size());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const glm::vec3& pixel = image.pixels[i];
+    floats.insert(floats.end(), {pixel.r, pixel.g, pixel.b});
+    if (alpha) {
+      floats.push_back(image.alpha[i]);
+    }
+  }
+  return floats;
 }
 
 std::string one_line(std::string text) {
@@ -88,6 +106,8 @@ void require_image_path(const fs::path& path) {
   }
 }
 
+bool holds_alpha(const fs::path& path) { return format_of(path) != "pnm"; }
+
 void write_image(const fs::path& path, const Image& image, const Provenance& provenance) {
   require_image_path(path);
   const std::string format(format_of(path));
@@ -96,14 +116,20 @@ void write_image(const fs::path& path, const Image& image, const Provenance& pro
   if (!output) {
     throw std::runtime_error(fmt::format("{}: OpenImageIO cannot write {}", path.string(), format));
   }
-  OIIO::ImageSpec spec(image.width, image.height, 3,
+  const bool alpha = !image.alpha.empty() && holds_alpha(path);
+  OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3,
                        linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   describe(provenance, linear, spec);
+  if (alpha && !linear) {
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+  }
 
   std::vector<unsigned char> file;
   OIIO::Filesystem::IOVecOutput memory(file);
-  const std::vector<std::uint8_t> bytes = linear ? std::vector<std::uint8_t>{} : to_bytes(image);
-  const void* pixels = linear ? static_cast<const void*>(image.pixels.data()) : bytes.data();
+  const std::vector<std::uint8_t> bytes =
+      linear ? std::vector<std::uint8_t>() : to_bytes(image, alpha);
+  const std::vector<float> floats = linear ? to_floats(image, alpha) : std::vector<float>();
+  const void* pixels = linear ? static_cast<const void*>(floats.data()) : bytes.data();
   if (!output->set_ioproxy(&memory) || !output->open("image." + format, spec) ||
       !output->write_image(spec.format, pixels) || !output->close()) {
     throw std::runtime_error(fmt::format("{}: {}", path.string(), output->geterror()));

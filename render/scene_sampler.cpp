@@ -10,10 +10,11 @@
 namespace raycat {
 
 SceneSampler::SceneSampler(const Accel& accel, const Camera& camera, int width, int height,
-                           int levels, int threads)
+                           int levels, int threads, Backdrop backdrop)
     : accel_(accel),
       plane_(camera, width, height),
       levels_(levels),
+      backdrop_(backdrop),
       textured_(textured_primitives(accel.scene())),
       workers_(static_cast<std::size_t>(threads)) {}
 
@@ -31,10 +32,10 @@ ColourSample SceneSampler::sample(const glm::dvec2& point, int worker) {
         });
     at.known = true;
   }
-  return {.colour = glm::clamp(colour, 0.0f, 1.0f),
+  const bool left_out = backdrop_ == Backdrop::transparent && at.recorder.tree().empty();
+  return {.colour = left_out ? glm::vec4(0.0f) : glm::vec4(glm::clamp(colour, 0.0f, 1.0f), 1.0f),
           .tree = at.tree,
-          .textured = at.textured,
-          .background = at.recorder.tree().empty()};
+          .textured = at.textured};
 }
 
 // By at most a quarter of the rays of a whole tree: what tells less about a point than its colour

@@ -10,12 +10,15 @@
 
 namespace raycat {
 
+/// Is what rays that leave the scene at once see part of the picture, or transparent?
+enum class Backdrop { shown, transparent };
+
 /// Samples a scene through a camera. Categories are those of whole trees.
 class SceneSampler : public Sampler {
  public:
   /// Keeps a reference to the accelerator.
   SceneSampler(const Accel& accel, const Camera& camera, int width, int height, int levels,
-               int threads);
+               int threads, Backdrop backdrop = Backdrop::shown);
 
   ColourSample sample(const glm::dvec2& point, int worker) override;
   std::optional<TreeId> side(const glm::dvec2& point, TreeId a, TreeId b, int worker) override;
@@ -38,6 +41,7 @@ class SceneSampler : public Sampler {
   const Accel& accel_;
   ImagePlane plane_;
   int levels_;
+  Backdrop backdrop_;
   std::vector<bool> textured_;  // by primitive; empty if none is
   TreeTable trees_;
   std::vector<Worker> workers_;

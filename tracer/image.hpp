@@ -7,11 +7,12 @@
 
 namespace raycat {
 
-/// Linear RGB, rows from the top.
+/// Linear RGB, rows from the top; with alpha, which is associated, if it has any.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<glm::vec3> pixels;  ///< width * height
+  std::vector<float> alpha;       ///< the same, or empty if the image is opaque
 
   Image(int width_in, int height_in, glm::vec3 fill = glm::vec3(0.0f))
       : width(width_in),

@@ -40,7 +40,7 @@ double share_below(double x, double y, const glm::dvec2& point, const glm::dvec2
 TEST_CASE("a patch that is quadratic is integrated exactly without a ray", "[antialias]") {
   Picture patch([](const glm::dvec2& p) -> ColourSample {
     const double v = 0.2 + 0.01 * p.x + 0.004 * p.x * p.x - 0.003 * p.y * p.y + 0.002 * p.x * p.y;
-    return {.colour = glm::vec3(static_cast<float>(v)), .tree = TreeId{1}};
+    return {.colour = glm::vec4(glm::vec3(static_cast<float>(v)), 1.0f), .tree = TreeId{1}};
   });
   const SmoothPicture is = smooth_adaptively(patch, of(7, 7), {.error = 0.01f});
   CHECK(is.samples.colour == 64);
@@ -68,7 +68,7 @@ TEST_CASE("a straight edge at any angle is covered within a five-hundredth", "[a
         INFO(degrees << " degrees, pixel " << x << ", " << y);
         const double expected = share_below(x, y, point, normal);
         CHECK(is.colour[is.index(x, y)].g == Approx(expected).margin(1.0 / 500));
-        CHECK(is.alpha[is.index(x, y)] == Approx(expected).margin(1.0 / 500));
+        CHECK(is.colour[is.index(x, y)].a == Approx(expected).margin(1.0 / 500));
       }
     }
   }
@@ -85,9 +85,9 @@ TEST_CASE("where three surfaces meet a pixel is right within a hundredth", "[ant
     };
     Picture picture([&](const glm::dvec2& p) -> ColourSample {
       const std::uint32_t is = sector(p);
-      return {
-          .colour = glm::vec3(is == 0 ? 1.0f : 0.0f, is == 1 ? 1.0f : 0.0f, is == 2 ? 1.0f : 0.0f),
-          .tree = TreeId{is}};
+      return {.colour = glm::vec4(is == 0 ? 1.0f : 0.0f, is == 1 ? 1.0f : 0.0f,
+                                  is == 2 ? 1.0f : 0.0f, 1.0f),
+              .tree = TreeId{is}};
     });
     const SmoothPicture is = smooth_adaptively(picture, of(5, 5), fine);
     glm::dvec3 expected(0.0);
@@ -105,8 +105,9 @@ TEST_CASE("where three surfaces meet a pixel is right within a hundredth", "[ant
 }
 
 TEST_CASE("an edge that cannot be seen costs no ray", "[antialias]") {
-  Picture picture = two_colours([](const glm::dvec2& p) { return p.x + 0.7 * p.y < 6.3; },
-                                glm::vec3(0.5f), glm::vec3(0.503f));
+  Picture picture =
+      two_colours([](const glm::dvec2& p) { return p.x + 0.7 * p.y < 6.3; },
+                  glm::vec4(glm::vec3(0.5f), 1.0f), glm::vec4(glm::vec3(0.503f), 1.0f));
   CHECK(smooth_adaptively(picture, of(9, 9), {.error = 0.01f}).samples.colour == 100);
 }
 
@@ -117,7 +118,8 @@ TEST_CASE("the picture and its rays are the same whatever the number of threads"
       const double rings = std::sin(3.0 * std::hypot(p.x - 20.0, p.y - 11.0));
       const double stripes = std::sin(1.7 * p.x + 0.3 * p.y);
       const auto tree = static_cast<std::uint32_t>((rings > 0.2 ? 1 : 0) + (stripes > 0.1 ? 2 : 0));
-      return {.colour = glm::vec3(0.25f * static_cast<float>(tree)), .tree = TreeId{tree}};
+      return {.colour = glm::vec4(glm::vec3(0.25f * static_cast<float>(tree)), 1.0f),
+              .tree = TreeId{tree}};
     });
   };
   Picture one = picture();
@@ -125,7 +127,6 @@ TEST_CASE("the picture and its rays are the same whatever the number of threads"
   const SmoothPicture a = smooth_adaptively(one, of(40, 30, 1), {});
   const SmoothPicture b = smooth_adaptively(four, of(40, 30, 4), {});
   CHECK(a.colour == b.colour);
-  CHECK(a.alpha == b.alpha);
   CHECK(a.samples.colour == b.samples.colour);
   CHECK(a.refined == b.refined);
 }
@@ -205,7 +206,7 @@ TEST_CASE("discs anywhere are covered well", "[antialias][property]") {
           expected += std::max(0.0, std::min(centre.y + half, y + 1.0) -
                                         std::max(centre.y - half, static_cast<double>(y)));
         }
-        RC_ASSERT(std::abs(static_cast<double>(is.alpha[is.index(x, y)]) - expected / lines) <
+        RC_ASSERT(std::abs(static_cast<double>(is.colour[is.index(x, y)].a) - expected / lines) <
                   0.05);  // what bulges over a side between two corners is missed
       }
     }

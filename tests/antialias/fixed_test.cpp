@@ -21,15 +21,14 @@ TEST_CASE("uniform samples are at the middles of a pixel's squares", "[antialias
   Picture picture = half();
   const SmoothPicture is = smooth_uniformly(picture, of(4, 1), 4);
   CHECK(is.samples.colour == 64);
-  CHECK(is.colour[1] == glm::vec3(1.0f));
-  CHECK(is.colour[2] == glm::vec3(0.25f));
-  CHECK(is.alpha[2] == 0.25f);
-  CHECK(is.colour[3] == glm::vec3(0.0f));
+  CHECK(is.colour[1] == glm::vec4(1.0f));
+  CHECK(is.colour[2] == glm::vec4(0.25f));
+  CHECK(is.colour[3] == glm::vec4(0.0f));
 }
 
 TEST_CASE("pixels that are not selected are the mean of their corners", "[antialias]") {
   Picture picture([](const glm::dvec2& p) -> ColourSample {
-    return {.colour = glm::vec3(static_cast<float>(0.1 * p.x + 0.2 * p.y))};
+    return {.colour = glm::vec4(glm::vec3(static_cast<float>(0.1 * p.x + 0.2 * p.y)), 1.0f)};
   });
   const SmoothPicture is = smooth_selected(picture, of(3, 2), by_colour(0.9f), 4);
   CHECK(is.samples.colour == 12);
@@ -50,7 +49,7 @@ TEST_CASE("selected pixels share the samples of their borders", "[antialias]") {
 
 TEST_CASE("categories select where colours do not", "[antialias]") {
   Picture picture =
-      two_colours([](const glm::dvec2& p) { return p.x < 2.25; }, glm::vec3(0.5f), glm::vec3(0.5f));
+      two_colours([](const glm::dvec2& p) { return p.x < 2.25; }, glm::vec4(0.5f), glm::vec4(0.5f));
   CHECK(smooth_selected(picture, of(4, 1), by_category(), 2).refined == 1);
   CHECK(smooth_selected(picture, of(4, 1), by_colour(0.0f), 2).refined == 0);
 }

@@ -30,13 +30,13 @@ class Picture : public Sampler {
   Function function_;
 };
 
-/// One colour where `inside` says so, another elsewhere.
+/// One colour where `inside` says so, and where it does not, nothing, or another.
 inline Picture two_colours(const std::function<bool(const glm::dvec2&)>& inside,
-                           const glm::vec3& in = glm::vec3(1.0f),
-                           const glm::vec3& out = glm::vec3(0.0f)) {
+                           const glm::vec4& in = glm::vec4(1.0f),
+                           const glm::vec4& out = glm::vec4(0.0f)) {
   return Picture([=](const glm::dvec2& point) -> ColourSample {
     const bool is = inside(point);
-    return {.colour = is ? in : out, .tree = TreeId{is ? 1u : 0u}, .background = !is};
+    return {.colour = is ? in : out, .tree = TreeId{is ? 1u : 0u}};
   });
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 TEST_CASE("each point of the lattice is traced once and found again", "[antialias]") {
   Picture picture([](const glm::dvec2& p) -> ColourSample {
-    return {.colour = {static_cast<float>(p.x), static_cast<float>(p.y), 0.0f}};
+    return {.colour = {static_cast<float>(p.x), static_cast<float>(p.y), 0.0f, 1.0f}};
   });
   SampleLattice lattice(picture, 3, 2, 8, 1);
   lattice.trace_corners(1);

@@ -48,6 +48,32 @@ TEST_CASE("EXR holds linear light as it is", "[io][image]") {
   fs::remove(path);
 }
 
+TEST_CASE("alpha is straight in PNG and associated in EXR", "[io][image]") {
+  Image image(3, 1);
+  image.pixels = {{0.5f, 0.25f, 0.0f}, {0.0f, 0.0f, 0.0f}, {1.0f, 0.5f, 0.0f}};
+  image.alpha = {0.5f, 0.0f, 1.0f};
+  const fs::path png = temporary("alpha.png");
+  write_image(png, image, {.command = "raycat render", .scene = "s.gltf"});
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  auto input = OIIO::ImageInput::open(png.string(), &as_stored);
+  REQUIRE(input);
+  REQUIRE(input->spec().nchannels == 4);
+  std::vector<std::uint8_t> bytes(12);
+  REQUIRE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::UINT8, bytes.data()));
+  CHECK(bytes == std::vector<std::uint8_t>{255, 188, 0, 128, 0, 0, 0, 0, 255, 188, 0, 255});
+  const fs::path exr = temporary("alpha.exr");
+  write_image(exr, image, {.command = "raycat render", .scene = "s.gltf"});
+  input = OIIO::ImageInput::open(exr.string());
+  REQUIRE(input);
+  std::vector<float> values(12);
+  REQUIRE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, values.data()));
+  CHECK(values == std::vector<float>{0.5f, 0.25f, 0, 0.5f, 0, 0, 0, 0, 1, 0.5f, 0, 1});
+  CHECK_FALSE(holds_alpha("a.ppm"));
+  fs::remove(png);
+  fs::remove(exr);
+}
+
 TEST_CASE("a line end in a name does not end a comment", "[io][image]") {
   const fs::path path = temporary("b.ppm");
   write_image(path, two_pixels(), {.command = "raycat\n1 1", .scene = "a\nb"});

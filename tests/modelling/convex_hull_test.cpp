@@ -1,5 +1,7 @@
 #include "modelling/convex_hull.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -27,6 +29,29 @@ TEST_CASE("the hull of a cube's corners and points inside is the cube", "[modell
     volume += glm::dot(hull.positions[t.x], glm::cross(hull.positions[t.y], hull.positions[t.z]));
   }
   CHECK(volume / 6.0 == Approx(1.0));
+}
+
+TEST_CASE("a hull depends on the set of its points alone", "[modelling][hull]") {
+  // Facets, edges and corners are full of points, as are those of a prism of eight sides.
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 7 * 7 * 4; ++i) {
+    const glm::dvec3 p(i % 7 - 3, i / 7 % 7 - 3, i / 49);
+    if (std::abs(p.x) + std::abs(p.y) < 5) {
+      points.push_back(p);
+    }
+  }
+  const TriangleMesh hull = convex_hull(points);
+  CHECK(hull.positions.size() == 16);
+  CHECK(hull.triangles.size() == 28);
+
+  std::mt19937 random(2);
+  for (int i = 0; i < 50; ++i) {
+    std::ranges::shuffle(points, random);
+    points.push_back(-points.front() * 0.0);  // inside, with signs on some of its zeros
+    const TriangleMesh again = convex_hull(points);
+    REQUIRE(again.positions == hull.positions);
+    REQUIRE(again.triangles == hull.triangles);
+  }
 }
 
 TEST_CASE("points in a plane, in a row or at one place have no hull", "[modelling][hull]") {
