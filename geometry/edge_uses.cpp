@@ -55,7 +55,7 @@ EdgeUses::EdgeUses(std::span<const glm::uvec3> triangles, std::size_t vertex_cou
     }
     ends_[vertex] = sum;
   }
-  half_edges_.resize(sum);
+  half_edges_ = RawArray<std::uint32_t>(sum);
   parallel_parts(triangles.size(), threads, [&](std::size_t begin, std::size_t end, int part) {
     std::vector<std::uint32_t>& place = places[static_cast<std::size_t>(part)];
     for_each_half_edge(triangles, begin, end, [&](std::uint32_t low, std::uint32_t half) {

@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "geometry/raw_array.hpp"
+
 namespace raycat {
 
 inline std::uint32_t half_edge_start(std::span<const glm::uvec3> triangles, std::uint32_t half) {
@@ -43,8 +45,8 @@ class EdgeUses {
 
  private:
   std::span<const glm::uvec3> triangles_;
-  std::vector<std::uint32_t> half_edges_;  // by lower vertex
-  std::vector<std::uint32_t> ends_;        // of each vertex's half-edges
+  RawArray<std::uint32_t> half_edges_;  // by lower vertex
+  std::vector<std::uint32_t> ends_;     // of each vertex's half-edges
 };
 
 template <typename Visit>

@@ -1,6 +1,7 @@
 #include "geometry/mesh_faces.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/raw_array.hpp"
 #include "geometry/weld.hpp"
 
 namespace raycat {
@@ -29,7 +31,7 @@ class FaceGrouping {
         threads_(threads),
         welded_(weld(positions, threads)),
         vertices_(welded(triangles, welded_, threads)),
-        normals_(unit_normals(positions, triangles, threads)),
+        normals_(unit_normals(positions)),
         same_normal_(std::cos(rule.same_normal)),
         // The chord, unlike the cosine, tells small angles apart.
         crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
@@ -67,7 +69,7 @@ class FaceGrouping {
   /// Spreads faces over degenerate triangles, from edge to edge and then through vertices, for
   /// those without an edge.
   void adopt_degenerate_triangles() {
-    if (std::ranges::find(normals_, glm::dvec3(0.0)) == normals_.end()) {
+    if (!some_degenerate_) {
       return;
     }
     std::vector<std::uint32_t> settled;
@@ -108,9 +110,9 @@ class FaceGrouping {
   std::uint32_t first_of_face(std::uint32_t triangle) noexcept { return sets_.first(triangle); }
 
  private:
-  static std::vector<glm::uvec3> welded(std::span<const glm::uvec3> triangles,
-                                        std::span<const std::uint32_t> first, int threads) {
-    std::vector<glm::uvec3> out(triangles.size());
+  static RawArray<glm::uvec3> welded(std::span<const glm::uvec3> triangles,
+                                     std::span<const std::uint32_t> first, int threads) {
+    RawArray<glm::uvec3> out(triangles.size());
     parallel_parts(out.size(), threads, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t i = begin; i < end; ++i) {
         out[i] = {first[triangles[i].x], first[triangles[i].y], first[triangles[i].z]};
@@ -119,13 +121,17 @@ class FaceGrouping {
     return out;
   }
 
-  static std::vector<glm::dvec3> unit_normals(std::span<const glm::dvec3> positions,
-                                              std::span<const glm::uvec3> triangles, int threads) {
-    std::vector<glm::dvec3> out(triangles.size());
-    parallel_parts(out.size(), threads, [&](std::size_t begin, std::size_t end, int) {
+  RawArray<glm::dvec3> unit_normals(std::span<const glm::dvec3> positions) {
+    RawArray<glm::dvec3> out(triangles_.size());
+    parallel_parts(out.size(), threads_, [&](std::size_t begin, std::size_t end, int) {
+      bool degenerate = false;
       for (std::size_t i = begin; i < end; ++i) {
-        const glm::uvec3& t = triangles[i];
+        const glm::uvec3& t = triangles_[i];
         out[i] = unit_normal(positions[t.x], positions[t.y], positions[t.z]);
+        degenerate = degenerate || out[i] == glm::dvec3(0.0);
+      }
+      if (degenerate) {
+        some_degenerate_ = true;
       }
     });
     return out;
@@ -237,8 +243,9 @@ class FaceGrouping {
   std::span<const glm::vec3> authored_normals_;  // of `triangles_`' vertices, not of welded ones
   int threads_;
   std::vector<std::uint32_t> welded_;
-  std::vector<glm::uvec3> vertices_;
-  std::vector<glm::dvec3> normals_;
+  RawArray<glm::uvec3> vertices_;
+  std::atomic<bool> some_degenerate_ = false;
+  RawArray<glm::dvec3> normals_;  // zero for degenerate ones
   double same_normal_;
   double crease_chord_;
   EdgeUses edges_;

@@ -1,0 +1,44 @@
+// Large blocks of memory lie on huge pages, where the system leaves that to programs. A mesh of a
+// million triangles touches 200 MB for the first time, and on pages of 4 kB that takes longer than
+// to read, weld and sort it (docs/benchmarks.md).
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+#include <sys/mman.h>
+
+namespace {
+
+constexpr std::size_t huge_page = std::size_t{1} << 21;
+
+void* allocate(std::size_t size) noexcept {
+  constexpr std::size_t large = 2 * huge_page;
+  if (size < large) {
+    return std::malloc(size);
+  }
+  void* block = nullptr;
+  if (posix_memalign(&block, huge_page, size) != 0) {
+    return nullptr;
+  }
+  madvise(block, size / huge_page * huge_page, MADV_HUGEPAGE);  // in vain, if it must be
+  return block;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  for (;;) {
+    if (void* block = allocate(size > 0 ? size : 1)) {
+      return block;
+    }
+    const std::new_handler handler = std::get_new_handler();
+    if (handler == nullptr) {
+      throw std::bad_alloc();
+    }
+    handler();
+  }
+}
+
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t /*size*/) noexcept { std::free(block); }
