@@ -81,7 +81,7 @@ class AdaptivePicture {
   void spend(double rays_per_pixel) {
     constexpr float coarsest = 1.0f;
     constexpr float finest = 1e-5f;
-    constexpr float step = 0.7f;
+    constexpr float step = 0.8f;
     constexpr std::uint64_t most_of_a_pixel = 320;  // that is parted as often as may be
     const auto budget = static_cast<std::uint64_t>(
         std::floor(rays_per_pixel * static_cast<double>(pixels_.size())));

@@ -36,6 +36,20 @@ const ColourSample& SquareSmoother::sample(const glm::ivec2& point) {
   return sample;
 }
 
+// Calls `visit(place, sample)` for those of the sixteen samples of a square and around it that are
+// there; places are in sides of the square, from its first corner.
+template <typename Visit>
+void SquareSmoother::for_each_around(const Square& square, const Visit& visit) {
+  for (int j = -1; j <= 2; ++j) {
+    for (int i = -1; i <= 2; ++i) {
+      const glm::ivec2 place(i, j);
+      if (const ColourSample* sample = lattice_.find(square.at + square.size * place)) {
+        visit(place, *sample);
+      }
+    }
+  }
+}
+
 glm::vec4 SquareSmoother::integrate(const Square& square) {
   const Corners corners = square.corners(lattice_, worker_);
   const bool one = std::ranges::all_of(
@@ -171,16 +185,14 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
   const float a = area(square);
   const float greatest = farthest(corners);
   const CornerLabels labels =
-      label_corners(corners, !settings_.categories, std::max(2.0f * error_ / a, 0.2f * greatest));
+      label_corners(corners, !settings_.categories, std::max(error_ / a, 0.15f * greatest));
   if (labels.count == 1 || labels.apart * a / 4.0f < error_) {
     const auto one = as_one(square, corners, greatest);
     return one ? *one : part(square);
   }
   if (labels.count == 2) {
-    if (const auto two = as_two(square, corners, labels)) {
-      return *two;
-    }
-    return part(square);
+    const auto two = cluttered(square) ? std::nullopt : as_two(square, corners, labels);
+    return two ? *two : part(square);
   }
   const ColourSample& centre = sample(square.at + square.size / 2);
   if (labels.apart * a / 8.0f < error_) {
@@ -189,6 +201,24 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
     return whole(square, corners, 0.5f * (mean_of(corners) + centre.colour), 0.5f);
   }
   return part(square);
+}
+
+// Are there so many categories among the samples around a pixel that a border through it is hardly
+// a straight one? Small things are then near, and may be in it without showing at its corners.
+bool SquareSmoother::cluttered(const Square& square) {
+  if (!settings_.categories || square.size < lattice_.units()) {
+    return false;
+  }
+  constexpr std::size_t many = 6;
+  std::array<TreeId, many> met{};
+  std::size_t count = 0;
+  for_each_around(square, [&](const glm::ivec2&, const ColourSample& sample) {
+    const auto end = met.begin() + static_cast<std::ptrdiff_t>(count);
+    if (count < many && std::find(met.begin(), end, sample.tree) == end) {
+      met[count++] = sample.tree;
+    }
+  });
+  return count == many;
 }
 
 // An edge that cannot be seen; nothing if a sample on the sides is far from what the corners tell.
@@ -242,7 +272,7 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross(const Square& squa
       const float to_before = distance_of(met.colour, at_low->colour);
       const float to_after = distance_of(met.colour, at_high->colour);
       const float nearest = std::min(to_before, to_after);
-      if (!(nearest < 0.35f * ends || nearest * a / 4.0f < error_)) {
+      if (!(nearest < 0.25f * ends || nearest * a / 4.0f < error_)) {
         return std::nullopt;
       }
       label = to_before <= to_after ? before : after;
@@ -291,20 +321,16 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross_cheaply(
                   .after = surfaces[static_cast<std::size_t>(labels.of[turn[j]])].at(point)};
 }
 
-// What the samples of a label show among the sixteen of a square and around it, one square's side
-// apart.
+// What the samples of a label show among those around a square.
 SurfaceFit SquareSmoother::surface(const Square& square, const Corners& corners,
                                    const CornerLabels& labels, int label) {
   std::array<std::pair<glm::vec2, glm::vec4>, 16> met;
   std::size_t count = 0;
-  for (int j = -1; j <= 2; ++j) {
-    for (int i = -1; i <= 2; ++i) {
-      const ColourSample* sample = lattice_.find(square.at + square.size * glm::ivec2(i, j));
-      if (sample != nullptr && label_of(*sample, corners, labels, !settings_.categories) == label) {
-        met[count++] = {glm::vec2(i, j), sample->colour};
-      }
+  for_each_around(square, [&](const glm::ivec2& at, const ColourSample& sample) {
+    if (label_of(sample, corners, labels, !settings_.categories) == label) {
+      met[count++] = {glm::vec2(at), sample.colour};
     }
-  }
+  });
   return fit(std::span(met).first(count));
 }
 
@@ -386,14 +412,15 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
     seen[i] = &surfaces[static_cast<std::size_t>(regions[i].label)];
     const glm::vec4 expected = seen[i]->at(parts[i].centre);
     const float off =
-        seen[i]->plane ? magnitude(expected - parts[i].mean) * parts[i].area * a / 2.0f : 0.0f;
+        seen[i]->plane ? magnitude(expected - parts[i].mean) * parts[i].area * a : 0.0f;
     if (off > error_) {
       return std::nullopt;
     }
     may_be = std::max(may_be, off);
   }
-  if (0.05f * labels.apart * a <= error_) {
-    may_be = std::max(may_be, 0.05f * labels.apart * a);
+  constexpr float bulge = 0.08f;  // the part of a square by which a border may miss its chord
+  if (bulge * labels.apart * a <= error_) {
+    may_be = std::max(may_be, bulge * labels.apart * a);
   } else {
     const ColourSample& centre = sample(square.at + square.size / 2);
     const glm::vec2 chord = end - start;

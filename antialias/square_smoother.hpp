@@ -63,6 +63,9 @@ class SquareSmoother {
 
   glm::vec4 integrate(const Square& square);
   glm::vec4 part(const Square& square);
+  bool cluttered(const Square& square);
+  template <typename Visit>
+  void for_each_around(const Square& square, const Visit& visit);
   bool meets_another(const Square& square, TreeId tree);
   std::optional<glm::vec4> as_smooth(const Square& square, const Corners& corners);
   glm::vec4 as_parts(const Square& square, const Corners& corners);
