@@ -1,6 +1,7 @@
 #include "antialias/sample_lattice.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "geometry/parallel.hpp"
 
@@ -16,6 +17,9 @@ SampleLattice::SampleLattice(Sampler& sampler, int width, int height, int units,
       width_(width),
       height_(height),
       units_(units),
+      shift_(std::has_single_bit(static_cast<unsigned>(units))
+                 ? std::countr_zero(static_cast<unsigned>(units))
+                 : -1),
       corners_(corner(0, height + 1)),
       buckets_(buckets_a_corner * corners_.size()),
       per_worker_(static_cast<std::size_t>(threads)) {}
@@ -30,26 +34,24 @@ void SampleLattice::trace_corners(int threads) {
   });
 }
 
-SampleLattice::Place SampleLattice::place(const glm::ivec2& point) const {
-  const int column = point.x / units_;
-  const int row = point.y / units_;
-  const int x = point.x % units_;
-  const int y = point.y % units_;
-  const std::size_t first = buckets_a_corner * corner(column, row);
-  if (y == 0) {
-    return {.bucket = first, .key = static_cast<std::uint32_t>(x)};
+SampleLattice::Place SampleLattice::place(const Split& x, const Split& y) const {
+  const std::size_t first = buckets_a_corner * corner(x.pixel, y.pixel);
+  if (y.over == 0) {
+    return {.bucket = first, .key = static_cast<std::uint32_t>(x.over)};
   }
-  if (x == 0) {
-    return {.bucket = first + 1, .key = static_cast<std::uint32_t>(y)};
+  if (x.over == 0) {
+    return {.bucket = first + 1, .key = static_cast<std::uint32_t>(y.over)};
   }
-  return {.bucket = first + 2, .key = static_cast<std::uint32_t>(y * units_ + x)};
+  return {.bucket = first + 2, .key = static_cast<std::uint32_t>(y.over * units_ + x.over)};
 }
 
 const ColourSample& SampleLattice::at(const glm::ivec2& point, int worker, bool* fresh) {
-  if (is_corner(point)) {
-    return corners_[corner(point.x / units_, point.y / units_)];
+  const Split x = split(point.x);
+  const Split y = split(point.y);
+  if (x.over == 0 && y.over == 0) {
+    return corners_[corner(x.pixel, y.pixel)];
   }
-  const Place at = place(point);
+  const Place at = place(x, y);
   std::vector<Entry>& entries = bucket(at).entries;
   auto found = std::ranges::lower_bound(entries, at.key, {}, &Entry::place);
   if (found == entries.end() || found->place != at.key) {
@@ -78,7 +80,7 @@ std::optional<TreeId> SampleLattice::side(const glm::ivec2& point, TreeId a, Tre
   if (const ColourSample* known = find(point)) {
     return known->tree == a || known->tree == b ? std::optional(known->tree) : std::nullopt;
   }
-  const Place at = place(point);
+  const Place at = place(split(point.x), split(point.y));
   std::vector<Side>& sides = bucket(at).sides;
   const auto known = std::ranges::find_if(sides, [&](const Side& side) {
     return side.place == at.key && ((side.a == a && side.b == b) || (side.a == b && side.b == a));
@@ -96,10 +98,12 @@ const ColourSample* SampleLattice::find(const glm::ivec2& point) const {
   if (point.x < 0 || point.y < 0 || point.x > width_ * units_ || point.y > height_ * units_) {
     return nullptr;
   }
-  if (is_corner(point)) {
-    return &corners_[corner(point.x / units_, point.y / units_)];
+  const Split x = split(point.x);
+  const Split y = split(point.y);
+  if (x.over == 0 && y.over == 0) {
+    return &corners_[corner(x.pixel, y.pixel)];
   }
-  const Place at = place(point);
+  const Place at = place(x, y);
   const auto& bucket = buckets_[at.bucket];
   if (!bucket) {
     return nullptr;
@@ -114,13 +118,14 @@ void SampleLattice::between(const glm::ivec2& start, const glm::ivec2& end,
   const bool along_x = start.y == end.y;
   const glm::ivec2 inner =
       along_x ? glm::ivec2(start.x + 1, start.y) : glm::ivec2(start.x, start.y + 1);
-  const Place first = place(inner);
+  const Split x = split(inner.x);
+  const Place first = place(x, split(inner.y));
   const auto& bucket = buckets_[first.bucket];
   if (!bucket) {
     return;
   }
   // Within a pixel, a column's places are a row of the lattice apart.
-  const int stride = !along_x && inner.x % units_ != 0 ? units_ : 1;
+  const int stride = !along_x && x.over != 0 ? units_ : 1;
   const int length = along_x ? end.x - start.x : end.y - start.y;
   auto at = std::ranges::lower_bound(bucket->entries, first.key, {}, &Entry::place);
   for (; at != bucket->entries.end(); ++at) {

@@ -98,11 +98,18 @@ class SampleLattice {
     return static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
            static_cast<std::size_t>(column);
   }
-  bool is_corner(const glm::ivec2& point) const {
-    return point.x % units_ == 0 && point.y % units_ == 0;
+  // A coordinate in pixels and what is over, without a division where units are a power of two:
+  // that takes longer than to look a sample up.
+  struct Split {
+    int pixel = 0;
+    int over = 0;
+  };
+  Split split(int coordinate) const noexcept {
+    return shift_ >= 0 ? Split{.pixel = coordinate >> shift_, .over = coordinate & (units_ - 1)}
+                       : Split{.pixel = coordinate / units_, .over = coordinate % units_};
   }
   Bucket& bucket(const Place& at);
-  Place place(const glm::ivec2& point) const;
+  Place place(const Split& x, const Split& y) const;
   glm::dvec2 in_pixels(const glm::ivec2& point) const {
     return glm::dvec2(point) / static_cast<double>(units_);
   }
@@ -111,6 +118,7 @@ class SampleLattice {
   int width_;
   int height_;
   int units_;
+  int shift_;  // the power of two that units are, or -1
   std::vector<ColourSample> corners_;
   // Of each corner: the border to the right, the border below, and the pixel between them.
   std::vector<std::unique_ptr<Bucket>> buckets_;
