@@ -104,6 +104,35 @@ TEST_CASE("where three surfaces meet a pixel is right within a hundredth", "[ant
   }
 }
 
+TEST_CASE("a thin thing between all corners is found amid many categories", "[antialias]") {
+  // Columns of two greys about the corners, and above row 5.5 of other categories; a small white
+  // disc in pixel (5, 6).
+  const auto picture_with = [](std::uint32_t above) {
+    return Picture([=](const glm::dvec2& p) -> ColourSample {
+      if (std::hypot(p.x - 5.4, p.y - 6.45) < 0.2) {
+        return {.colour = glm::vec4(1.0f), .tree = TreeId{99}};
+      }
+      const auto column = static_cast<std::uint32_t>(std::lround(p.x));
+      const float grey = column % 2 == 0 ? 0.3f : 0.4f;
+      return {.colour = glm::vec4(glm::vec3(grey), 1.0f),
+              .tree = TreeId{column + (p.y < 5.5 ? above : 0)}};
+    });
+  };
+  const auto found = [&](std::uint32_t above) {
+    Picture picture = picture_with(above);
+    SmoothSettings settings = of(12, 12);
+    settings.coverage = true;
+    const SmoothPicture is = smooth_adaptively(picture, settings, {.error = 0.01f});
+    double share = 0.0;
+    for (const TreeShare& each : is.coverage[is.index(5, 6)]) {
+      share += each.tree == TreeId{99} ? static_cast<double>(each.share) : 0.0;
+    }
+    return share;
+  };
+  CHECK(found(20) > 0.05);  // of 0.126
+  CHECK(found(0) == 0.0);  // amid the four categories of the columns alone it is not looked for
+}
+
 TEST_CASE("an edge that cannot be seen costs no ray", "[antialias]") {
   Picture picture =
       two_colours([](const glm::dvec2& p) { return p.x + 0.7 * p.y < 6.3; },
