@@ -161,8 +161,10 @@ class AdaptivePicture {
       rows[y % 2].emplace_back(begin, end);
       begin = end;
     }
+    constexpr std::size_t few = 64;  // that are not worth a thread
+    const int threads = std::min(settings_.threads, static_cast<int>(now.size() / few) + 1);
     for (const auto& apart : rows) {
-      parallel_rows(static_cast<int>(apart.size()), settings_.threads, [&](int i, int worker) {
+      parallel_rows(static_cast<int>(apart.size()), threads, [&](int i, int worker) {
         SquareSmoother smoother(lattice_, adaptive_, settings_.coverage, worker);
         for (const std::size_t pixel : apart[static_cast<std::size_t>(i)]) {
           if (pending_[pixel].exchange(0) != 0) {
