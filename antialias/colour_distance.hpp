@@ -9,13 +9,18 @@
 
 namespace raycat {
 
-/// How much a difference of two linear colours with associated alpha counts: the root of the mean
-/// square over channels, over black or over white, whichever shows more.
-inline float magnitude(const glm::vec4& difference) {
+/// How much a difference of two linear colours with associated alpha counts: the mean square over
+/// channels, over black or over white, whichever shows more.
+inline float squared_magnitude(const glm::vec4& difference) {
   const glm::vec3 over_black(difference);
   const glm::vec3 over_white = over_black - difference.a;
-  return std::sqrt(std::max(glm::dot(over_black, over_black), glm::dot(over_white, over_white)) /
-                   3.0f);
+  constexpr float third = 1.0f / 3.0f;
+  return third * std::max(glm::dot(over_black, over_black), glm::dot(over_white, over_white));
+}
+
+/// The root of that.
+inline float magnitude(const glm::vec4& difference) {
+  return std::sqrt(squared_magnitude(difference));
 }
 
 /// How far two linear colours with associated alpha are apart.

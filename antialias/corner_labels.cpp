@@ -1,19 +1,21 @@
 #include "antialias/corner_labels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace raycat {
-namespace {
 
-float distance_of(const ColourSample& a, const ColourSample& b) {
-  return raycat::distance_of(a.colour, b.colour);
-}
-
-}  // namespace
-
-CornerLabels label_corners(const Corners& corners, bool by_colour, float threshold) {
+CornerLabels label_corners(const Corners& corners, bool by_colour, float least, float share) {
   CornerLabels labels;
+  std::array<std::array<float, 4>, 4> distances{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      distances[i][j] = distance_of(corners[i]->colour, corners[j]->colour);
+      distances[j][i] = distances[i][j];
+      labels.farthest = std::max(labels.farthest, distances[i][j]);
+    }
+  }
   by_colour = by_colour || std::ranges::all_of(corners, [&](const ColourSample* corner) {
                 return corner->tree == corners[0]->tree;
               });
@@ -31,14 +33,14 @@ CornerLabels label_corners(const Corners& corners, bool by_colour, float thresho
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = 0; j < corners.size(); ++j) {
         if (labels.of[i] == a && labels.of[j] == b) {
-          distance = std::max(distance, distance_of(*corners[i], *corners[j]));
+          distance = std::max(distance, distances[i][j]);
         }
       }
     }
     return distance;
   };
   for (;;) {
-    float nearest = threshold;
+    float nearest = std::max(least, share * labels.farthest);
     std::pair<int, int> join(-1, -1);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -61,7 +63,7 @@ CornerLabels label_corners(const Corners& corners, bool by_colour, float thresho
     labels.count += std::find(labels.of.begin(), before, labels.of[i]) == before ? 1 : 0;
     for (std::size_t j = 0; j < i; ++j) {
       if (labels.of[i] != labels.of[j]) {
-        labels.apart = std::max(labels.apart, distance_of(*corners[i], *corners[j]));
+        labels.apart = std::max(labels.apart, distances[i][j]);
       }
     }
   }
@@ -78,13 +80,10 @@ int label_of(const ColourSample& sample, const Corners& corners, const CornerLab
   if (!by_colour && !sample.textured) {
     return -1;
   }
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    if (distance_of(*corners[i], sample) < distance_of(*corners[nearest], sample)) {
-      nearest = i;
-    }
-  }
-  return labels.of[nearest];
+  const auto nearest = std::ranges::min_element(corners, {}, [&](const ColourSample* corner) {
+    return squared_magnitude(corner->colour - sample.colour);
+  });
+  return labels.of[static_cast<std::size_t>(nearest - corners.begin())];
 }
 
 }  // namespace raycat

@@ -10,13 +10,14 @@ namespace raycat {
 struct CornerLabels {
   std::array<int, 4> of{};
   int count = 0;
-  float apart = 0.0f;  ///< the greatest distance of two corners of different labels
+  float apart = 0.0f;     ///< the greatest distance of two corners of different labels
+  float farthest = 0.0f;  ///< and that of any two
 };
 
 /// Corners start with a label for each tree, or each for itself if colours decide or all are of one
-/// tree, and labels are joined while all their corners are less than `threshold` apart (complete
-/// linkage).
-CornerLabels label_corners(const Corners& corners, bool by_colour, float threshold);
+/// tree, and labels are joined while all their corners are less than `least` apart, or less than
+/// `share` of the greatest distance (complete linkage).
+CornerLabels label_corners(const Corners& corners, bool by_colour, float least, float share);
 
 /// Which corner's label a sample has: of the same tree, or if colours decide or it met a texture,
 /// of the nearest colour. -1 if it is of none.

@@ -134,7 +134,6 @@ bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
 // The integral of the quadratic that second differences with the samples one square further tell;
 // nothing if it may be off by more than is allowed.
 std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const Corners& corners) {
-  const float greatest = farthest(corners);
   const float allowed = error_ / area(square);
   // Half of the greatest difference cannot be exceeded by much, and most squares are flat.
   constexpr float without_neighbours = 0.08f;
@@ -159,7 +158,7 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
         if (outer != nullptr && (outer->tree == near.tree || !settings_.categories)) {
           const glm::vec4 second = outer->colour - 2.0f * near.colour + far.colour;
           sum += second;
-          largest = std::max(largest, magnitude(second));
+          largest = std::max(largest, squared_magnitude(second));
           ++count;
         }
       };
@@ -168,9 +167,9 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
     }
     constexpr float twelfth = 1.0f / 12.0f;
     if (count == 0) {
-      error += without_neighbours * greatest;
+      error += without_neighbours * farthest(corners);
     } else {
-      error += twelfth * largest;
+      error += twelfth * std::sqrt(largest);
       correction += twelfth / static_cast<float>(count) * sum;
     }
   }
@@ -183,11 +182,9 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
 
 glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners) {
   const float a = area(square);
-  const float greatest = farthest(corners);
-  const CornerLabels labels =
-      label_corners(corners, !settings_.categories, std::max(error_ / a, 0.15f * greatest));
+  const CornerLabels labels = label_corners(corners, !settings_.categories, error_ / a, 0.15f);
   if (labels.count == 1 || labels.apart * a / 4.0f < error_) {
-    const auto one = as_one(square, corners, greatest);
+    const auto one = as_one(square, corners, labels.farthest);
     return one ? *one : part(square);
   }
   if (labels.count == 2) {
@@ -321,17 +318,26 @@ std::optional<SquareSmoother::Crossing> SquareSmoother::cross_cheaply(
                   .after = surfaces[static_cast<std::size_t>(labels.of[turn[j]])].at(point)};
 }
 
-// What the samples of a label show among those around a square.
-SurfaceFit SquareSmoother::surface(const Square& square, const Corners& corners,
-                                   const CornerLabels& labels, int label) {
-  std::array<std::pair<glm::vec2, glm::vec4>, 16> met;
-  std::size_t count = 0;
+// What the samples of each label show among those around a square.
+std::array<SurfaceFit, 4> SquareSmoother::surfaces_around(const Square& square,
+                                                          const Corners& corners,
+                                                          const CornerLabels& labels) {
+  std::array<std::array<std::pair<glm::vec2, glm::vec4>, 16>, 4> met;
+  std::array<std::size_t, 4> count{};
   for_each_around(square, [&](const glm::ivec2& at, const ColourSample& sample) {
-    if (label_of(sample, corners, labels, !settings_.categories) == label) {
-      met[count++] = {glm::vec2(at), sample.colour};
+    const int label = label_of(sample, corners, labels, !settings_.categories);
+    if (label >= 0) {
+      const auto i = static_cast<std::size_t>(label);
+      met[i][count[i]++] = {glm::vec2(at), sample.colour};
     }
   });
-  return fit(std::span(met).first(count));
+  std::array<SurfaceFit, 4> surfaces;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (count[i] > 0) {
+      surfaces[i] = fit(std::span(met[i]).first(count[i]));
+    }
+  }
+  return surfaces;
 }
 
 // Two regions with a straight border between them; nothing if something is against it.
@@ -351,15 +357,7 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
   }
   const int steps =
       std::max(1, static_cast<int>(std::ceil(std::log2(labels.apart * a / (4.0f * error_)))));
-  std::array<SurfaceFit, 4> surfaces;
-  std::array<bool, 4> is_label{};
-  for (const int label : labels.of) {
-    const auto i = static_cast<std::size_t>(label);
-    if (!is_label[i]) {
-      is_label[i] = true;
-      surfaces[i] = surface(square, corners, labels, label);
-    }
-  }
+  const std::array<SurfaceFit, 4> surfaces = surfaces_around(square, corners, labels);
   const bool flat = std::ranges::all_of(labels.of, [&](int label) {
     return surfaces[static_cast<std::size_t>(label)].range * a <= error_;
   });

@@ -77,8 +77,8 @@ class SquareSmoother {
   std::optional<Crossing> cross_cheaply(const Square& square, const Corners& corners,
                                         const std::array<SurfaceFit, 4>& surfaces,
                                         const CornerLabels& labels, int side, int steps);
-  SurfaceFit surface(const Square& square, const Corners& corners, const CornerLabels& labels,
-                     int label);
+  std::array<SurfaceFit, 4> surfaces_around(const Square& square, const Corners& corners,
+                                            const CornerLabels& labels);
 
   SampleLattice& lattice_;
   const AdaptiveSettings& settings_;
