@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #include <sys/mman.h>
@@ -12,16 +13,18 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 
+// Whole pages, or else the rest of each block would be as slow as all of it was.
 void* allocate(std::size_t size) noexcept {
-  constexpr std::size_t large = 2 * huge_page;
-  if (size < large) {
+  constexpr std::size_t large = huge_page / 2;
+  if (size < large || size > std::numeric_limits<std::size_t>::max() - huge_page) {
     return std::malloc(size);
   }
+  const std::size_t whole = (size + huge_page - 1) / huge_page * huge_page;
   void* block = nullptr;
-  if (posix_memalign(&block, huge_page, size) != 0) {
+  if (posix_memalign(&block, huge_page, whole) != 0) {
     return nullptr;
   }
-  madvise(block, size / huge_page * huge_page, MADV_HUGEPAGE);  // in vain, if it must be
+  madvise(block, whole, MADV_HUGEPAGE);  // in vain, if it must be
   return block;
 }
 

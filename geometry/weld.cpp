@@ -1,5 +1,7 @@
 #include "geometry/weld.hpp"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -37,24 +39,50 @@ class PointTable {
   explicit PointTable(std::span<const glm::dvec3> positions)
       : positions_(positions), slots_(std::bit_ceil(2 * positions.size() + 1), none) {}
 
-  /// The point of the table that equals point `i`, which is `i` itself if none has.
-  std::uint32_t find_or_add(std::uint32_t i) {
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash(positions_[i]) & mask;; slot = (slot + 1) & mask) {
-      const std::atomic_ref<std::uint32_t> held(slots_[slot]);
-      std::uint32_t there = held.load(std::memory_order_relaxed);
-      if (there == none && held.compare_exchange_strong(there, i, std::memory_order_relaxed)) {
-        return i;
+  /// Calls `visit(i, j)` with each finite point from `begin` to `end` - 1 and the point of the
+  /// table that equals it, which is itself if none does. The table is larger than caches, so that
+  /// slots are asked for some points before they are looked at.
+  template <typename Visit>
+  void add(std::size_t begin, std::size_t end, const Visit& visit) {
+    constexpr std::size_t ahead = 16;
+    std::array<std::uint64_t, ahead> hashes{};
+    for (std::size_t first = begin; first < end; first += ahead) {
+      const std::size_t last = std::min(first + ahead, end);
+      for (std::size_t i = first; i < last; ++i) {
+        hashes[i - first] = hash(positions_[i]);
+        __builtin_prefetch(&slots_[hashes[i - first] & mask()]);
       }
-      if (positions_[there] == positions_[i]) {
-        return there;
+      for (std::size_t i = first; i < last; ++i) {
+        if (finite(positions_[i])) {
+          const auto number = static_cast<std::uint32_t>(i);
+          visit(number, find_or_add(number, hashes[i - first]));
+        }
       }
     }
   }
 
  private:
+  std::size_t mask() const noexcept { return slots_.size() - 1; }
+
+  // A slot holds a point and half of its hash, by which most others are told apart from it.
+  std::uint32_t find_or_add(std::uint32_t i, std::uint64_t hash) {
+    constexpr std::uint64_t tag = std::uint64_t{none} << 32U;
+    const std::uint64_t own = (hash & tag) | i;
+    for (std::size_t slot = hash & mask();; slot = (slot + 1) & mask()) {
+      const std::atomic_ref<std::uint64_t> held(slots_[slot]);
+      std::uint64_t there = held.load(std::memory_order_relaxed);
+      if (there == none && held.compare_exchange_strong(there, own, std::memory_order_relaxed)) {
+        return i;
+      }
+      const auto other = static_cast<std::uint32_t>(there);
+      if ((there & tag) == (own & tag) && positions_[other] == positions_[i]) {
+        return other;
+      }
+    }
+  }
+
   std::span<const glm::dvec3> positions_;
-  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint64_t> slots_;
 };
 
 }  // namespace
@@ -67,11 +95,7 @@ std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions, int threa
   PointTable table(positions);
   DisjointSets equal(positions.size());
   parallel_parts(positions.size(), threads, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-      if (finite(positions[i])) {
-        equal.join(i, table.find_or_add(i));
-      }
-    }
+    table.add(begin, end, [&](std::uint32_t i, std::uint32_t same) { equal.join(i, same); });
   });
   std::vector<std::uint32_t> first(positions.size());
   parallel_parts(positions.size(), threads, [&](std::size_t begin, std::size_t end, int) {
