@@ -82,6 +82,27 @@ TEST_CASE("sides told cheaply are those of whole samples", "[render][antialias]"
   CHECK(wrong == 0);
 }
 
+TEST_CASE("a transparent backdrop leaves out what rays see that leave at once",
+          "[render][antialias]") {
+  const Scene scene = mixed_scene();
+  const Accel accel(scene);
+  SceneSampler shown(accel, camera, 30, 30, 6, 1);
+  SceneSampler transparent(accel, camera, 30, 30, 6, 1, Backdrop::transparent);
+  int left_out = 0;
+  for (int i = 0; i < 30 * 30; ++i) {
+    const glm::dvec2 point(i % 30 + 0.5, i / 30 + 0.5);
+    const ColourSample with = shown.sample(point, 0);
+    const ColourSample without = transparent.sample(point, 0);
+    const bool background = shown.tree(with.tree).empty();
+    CHECK(with.colour.a == 1.0f);
+    CHECK((without.colour == (background ? glm::vec4(0.0f) : with.colour)));
+    CHECK(transparent.tree(without.tree) == shown.tree(with.tree));
+    left_out += background ? 1 : 0;
+  }
+  CHECK(left_out > 50);
+  CHECK(left_out < 850);
+}
+
 TEST_CASE("a scene is smoothed alike whatever the number of threads", "[render][antialias]") {
   const Scene scene = mixed_scene();
   const Accel accel(scene);
