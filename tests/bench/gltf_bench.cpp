@@ -127,5 +127,5 @@ int main(int argc, char** argv) {
                             {{"load", "raycat", "embree", 1.6},
                              {"load", "load", "embree", {}},
                              {"load", "memory", "data_and_bvh", 1.0},
-                             {"load", "raycat_wall", "embree_wall", {}}});
+                             {"load", "raycat_wall", "embree_wall", 1.6}});
 }
