@@ -130,7 +130,7 @@ TEST_CASE("a thin thing between all corners is found amid many categories", "[an
     return share;
   };
   CHECK(found(20) > 0.05);  // of 0.126
-  CHECK(found(0) == 0.0);  // amid the four categories of the columns alone it is not looked for
+  CHECK(found(0) == 0.0);   // amid the four categories of the columns alone it is not looked for
 }
 
 TEST_CASE("an edge that cannot be seen costs no ray", "[antialias]") {
