@@ -10,6 +10,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <glm/vec4.hpp>
 
 #include "io/image_attributes.hpp"
 #include "io/input_file.hpp"
@@ -37,9 +38,12 @@ std::string_view format_of(const fs::path& path) {
   return fs::is_character_file(path, ignored) ? "png" : "";
 }
 
-std::uint8_t to_byte(float light) {
-  return static_cast<std::uint8_t>(
-      std::lround(255.0f * srgb_from_linear(std::clamp(light, 0.0f, 1.0f))));
+std::uint8_t to_byte(float share) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
+}
+
+std::uint8_t encoded(float light) {
+  return to_byte(srgb_from_linear(std::clamp(light, 0.0f, 1.0f)));
 }
 
 std::vector<std::uint8_t> to_bytes(const Image& image, bool alpha) {
@@ -48,25 +52,21 @@ std::vector<std::uint8_t> to_bytes(const Image& image, bool alpha) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float share = alpha && image.alpha[i] > 0.0f ? image.alpha[i] : 1.0f;
     const glm::vec3 pixel = image.pixels[i] / share;
-    bytes.insert(bytes.end(), {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b)});
+    bytes.insert(bytes.end(), {encoded(pixel.r), encoded(pixel.g), encoded(pixel.b)});
     if (alpha) {
-      bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * image.alpha[i])));
+      bytes.push_back(to_byte(image.alpha[i]));
     }
   }
   return bytes;
 }
 
-std::vector<float> to_floats(const Image& image, bool alpha) {
-  std::vector<float> floats;
-  floats.reserve((alpha ? 4 : 3) * image.pixels.size());
+std::vector<glm::vec4> with_alpha(const Image& image) {
+  std::vector<glm::vec4> pixels;
+  pixels.reserve(image.pixels.size());
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const glm::vec3& pixel = image.pixels[i];
-    floats.insert(floats.end(), {pixel.r, pixel.g, pixel.b});
-    if (alpha) {
-      floats.push_back(image.alpha[i]);
-    }
+    pixels.emplace_back(image.pixels[i], image.alpha[i]);
   }
-  return floats;
+  return pixels;
 }
 
 std::string one_line(std::string text) {
@@ -128,8 +128,11 @@ void write_image(const fs::path& path, const Image& image, const Provenance& pro
   OIIO::Filesystem::IOVecOutput memory(file);
   const std::vector<std::uint8_t> bytes =
       linear ? std::vector<std::uint8_t>() : to_bytes(image, alpha);
-  const std::vector<float> floats = linear ? to_floats(image, alpha) : std::vector<float>();
-  const void* pixels = linear ? static_cast<const void*>(floats.data()) : bytes.data();
+  const std::vector<glm::vec4> associated =
+      linear && alpha ? with_alpha(image) : std::vector<glm::vec4>();
+  const void* pixels = !linear ? static_cast<const void*>(bytes.data())
+                       : alpha ? static_cast<const void*>(associated.data())
+                               : image.pixels.data();
   if (!output->set_ioproxy(&memory) || !output->open("image." + format, spec) ||
       !output->write_image(spec.format, pixels) || !output->close()) {
     throw std::runtime_error(fmt::format("{}: {}", path.string(), output->geterror()));

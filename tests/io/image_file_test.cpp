@@ -74,6 +74,22 @@ TEST_CASE("alpha is straight in PNG and associated in EXR", "[io][image]") {
   fs::remove(exr);
 }
 
+TEST_CASE("alpha beyond what bytes show is cut off, as filters may make it", "[io][image]") {
+  Image image(2, 1);
+  image.pixels = {{1.04f, 1.04f, 1.04f}, {-0.02f, -0.02f, -0.02f}};
+  image.alpha = {1.04f, -0.02f};
+  const fs::path path = temporary("beyond.png");
+  write_image(path, image, {.command = "raycat render", .scene = "s.gltf"});
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
+  REQUIRE(input);
+  std::vector<std::uint8_t> bytes(8);
+  REQUIRE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::UINT8, bytes.data()));
+  CHECK(bytes == std::vector<std::uint8_t>{255, 255, 255, 255, 0, 0, 0, 0});
+  fs::remove(path);
+}
+
 TEST_CASE("a line end in a name does not end a comment", "[io][image]") {
   const fs::path path = temporary("b.ppm");
   write_image(path, two_pixels(), {.command = "raycat\n1 1", .scene = "a\nb"});
