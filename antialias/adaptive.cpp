@@ -240,11 +240,7 @@ class AdaptivePicture {
       }
       filtered.set_row(y, cells);
     });
-    parallel_rows(settings_.height, settings_.threads, [&](int y, int /*worker*/) {
-      filtered.gather_row(
-          y,
-          std::span(out_.colour).subspan(out_.index(0, y), static_cast<std::size_t>(out_.width)));
-    });
+    filtered.gather(settings_.threads, out_.colour);
   }
 
   const SmoothSettings& settings_;

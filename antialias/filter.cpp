@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/parallel.hpp"
+
 namespace raycat {
 
 double weight(Filter filter, double x) {
@@ -77,6 +79,13 @@ void FilteredPicture::set_row(int row, std::span<const glm::vec4> cells) {
       }
     }
   }
+}
+
+void FilteredPicture::gather(int threads, std::vector<glm::vec4>& pixels) const {
+  const auto width = static_cast<std::size_t>(width_);
+  parallel_rows(height_, threads, [&](int row, int /*worker*/) {
+    gather_row(row, std::span(pixels).subspan(static_cast<std::size_t>(row) * width, width));
+  });
 }
 
 void FilteredPicture::gather_row(int row, std::span<glm::vec4> pixels) const {

@@ -30,10 +30,11 @@ class FilteredPicture {
   /// threads may be at it, each at another row.
   void set_row(int row, std::span<const glm::vec4> cells);
 
-  /// The pixels of a row, once all rows are there.
-  void gather_row(int row, std::span<glm::vec4> pixels) const;
+  /// The pixels, once all rows of cells are there.
+  void gather(int threads, std::vector<glm::vec4>& pixels) const;
 
  private:
+  void gather_row(int row, std::span<glm::vec4> pixels) const;
   std::size_t place(int row, int below) const;
 
   int width_;

@@ -104,10 +104,7 @@ SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings,
     filtered.set_row(y, cells);
     progress.row_done();
   });
-  for (int y = 0; y < settings.height; ++y) {
-    filtered.gather_row(
-        y, std::span(out.colour).subspan(out.index(0, y), static_cast<std::size_t>(out.width)));
-  }
+  filtered.gather(settings.threads, out.colour);
   out.samples.colour =
       out.colour.size() * static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
   out.refined = side > 1 ? out.colour.size() : 0;

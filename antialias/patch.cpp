@@ -40,13 +40,11 @@ struct Piece {
 
 Piece piece_of(const Polygon& polygon) {
   Piece out;
-  for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
-    const glm::vec2 u = polygon.points[i] - polygon.points[0];
-    const glm::vec2 v = polygon.points[i + 1] - polygon.points[0];
-    const float triangle = 0.5f * std::abs(u.x * v.y - u.y * v.x);
+  const auto points = std::span(polygon.points).first(polygon.size);
+  for_each_triangle(points, [&](std::size_t i, float triangle) {
     out.area += triangle;
-    out.centre += triangle / 3.0f * (polygon.points[0] + polygon.points[i] + polygon.points[i + 1]);
-  }
+    out.centre += triangle / 3.0f * (points[0] + points[i] + points[i + 1]);
+  });
   out.centre = out.area > 0.0f ? out.centre / out.area : glm::vec2(0.0f);
   return out;
 }

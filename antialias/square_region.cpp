@@ -12,16 +12,13 @@ void SquareRegion::add(const glm::vec2& point, const glm::vec4& value) {
 
 RegionIntegral integral(const SquareRegion& region) {
   RegionIntegral sum;
-  for (int k = 1; k + 1 < region.size; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const glm::vec2 u = region.points[i] - region.points[0];
-    const glm::vec2 v = region.points[i + 1] - region.points[0];
-    const float triangle = 0.5f * std::abs(u.x * v.y - u.y * v.x);
+  const auto corners = std::span(region.points).first(static_cast<std::size_t>(region.size));
+  for_each_triangle(corners, [&](std::size_t i, float triangle) {
     constexpr float third = 1.0f / 3.0f;
     sum.area += triangle;
     sum.centre += triangle * third * (region.points[0] + region.points[i] + region.points[i + 1]);
     sum.mean += triangle * third * (region.values[0] + region.values[i] + region.values[i + 1]);
-  }
+  });
   if (sum.area > 0.0f) {
     sum.centre /= sum.area;
     sum.mean /= sum.area;

@@ -24,6 +24,16 @@ struct SquareRegion {
   void add(const glm::vec2& point, const glm::vec4& value);
 };
 
+/// Calls `visit(i, area)` for the triangles of a convex polygon's fan: its corners 0, i and i + 1.
+template <typename Visit>
+void for_each_triangle(std::span<const glm::vec2> polygon, const Visit& visit) {
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const glm::vec2 u = polygon[i] - polygon[0];
+    const glm::vec2 v = polygon[i + 1] - polygon[0];
+    visit(i, 0.5f * std::abs(u.x * v.y - u.y * v.x));
+  }
+}
+
 /// Of a region, its values interpolated in the triangles of a fan.
 struct RegionIntegral {
   float area = 0.0f;

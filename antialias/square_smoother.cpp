@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -21,6 +22,26 @@ SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* 
   result_.mean = integrate(pixel_square(samples_.lattice(), x, y));
   result_.refined = samples_.refined();
   return result_;
+}
+
+// Is `test(met, from, to)` true of all samples that there are on the square's sides between two
+// corners, numbered in turn, of which `from` is the upper or left one?
+template <typename Test>
+bool SquareSmoother::all_on_sides(const Square& square, const Test& test) {
+  for (std::size_t i = 0; i < corner_place.size(); ++i) {
+    std::size_t from = i;
+    std::size_t to = (i + 1) % 4;
+    if (corner_place[from].x > corner_place[to].x || corner_place[from].y > corner_place[to].y) {
+      std::swap(from, to);
+    }
+    samples_.lattice().between(square.at + square.size * corner_place[from],
+                               square.at + square.size * corner_place[to], on_side_);
+    if (!std::ranges::all_of(
+            on_side_, [&](const SampleLattice::OnSide& met) { return test(met, from, to); })) {
+      return false;
+    }
+  }
+  return true;
 }
 
 glm::vec4 SquareSmoother::integrate(const Square& square) {
@@ -89,19 +110,8 @@ glm::vec4 SquareSmoother::part(const Square& square) {
 
 // Has a sample on the square's sides another tree?
 bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
-  for (std::size_t i = 0; i < corner_place.size(); ++i) {
-    glm::ivec2 start = square.at + square.size * corner_place[i];
-    glm::ivec2 end = square.at + square.size * corner_place[(i + 1) % 4];
-    if (start.x > end.x || start.y > end.y) {
-      std::swap(start, end);
-    }
-    samples_.lattice().between(start, end, on_side_);
-    if (std::ranges::any_of(
-            on_side_, [&](const SampleLattice::OnSide& met) { return met.sample->tree != tree; })) {
-      return true;
-    }
-  }
-  return false;
+  return !all_on_sides(square, [&](const SampleLattice::OnSide& met, std::size_t /*from*/,
+                                   std::size_t /*to*/) { return met.sample->tree == tree; });
 }
 
 // The integral of the quadratic that second differences with the samples one square further tell;
@@ -196,22 +206,15 @@ bool SquareSmoother::cluttered(const Square& square) {
 std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corners& corners,
                                                 float greatest) {
   const float allowed = std::max(4.0f * samples_.error() / samples_.area(square), greatest);
-  for (std::size_t i = 0; i < corner_place.size(); ++i) {
-    std::size_t from = i;
-    std::size_t to = (i + 1) % 4;
-    if (corner_place[from].x > corner_place[to].x || corner_place[from].y > corner_place[to].y) {
-      std::swap(from, to);
-    }
-    samples_.lattice().between(square.at + square.size * corner_place[from],
-                               square.at + square.size * corner_place[to], on_side_);
-    for (const SampleLattice::OnSide& met : on_side_) {
-      const float at = static_cast<float>(met.from_start) / static_cast<float>(square.size);
-      const glm::vec4 expected =
-          glm::mix(corners[corner_turn[from]]->colour, corners[corner_turn[to]]->colour, at);
-      if (distance_of(met.sample->colour, expected) > allowed) {
-        return std::nullopt;
-      }
-    }
+  const bool expected =
+      all_on_sides(square, [&](const SampleLattice::OnSide& met, std::size_t from, std::size_t to) {
+        const float at = static_cast<float>(met.from_start) / static_cast<float>(square.size);
+        const glm::vec4 between =
+            glm::mix(corners[corner_turn[from]]->colour, corners[corner_turn[to]]->colour, at);
+        return distance_of(met.sample->colour, between) <= allowed;
+      });
+  if (!expected) {
+    return std::nullopt;
   }
   may_be_off(0.25f * greatest * samples_.area(square));
   return whole(square, corners, mean_of(corners));

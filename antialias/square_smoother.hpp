@@ -52,6 +52,8 @@ class SquareSmoother {
   glm::vec4 integrate(const Square& square);
   glm::vec4 part(const Square& square);
   bool cluttered(const Square& square);
+  template <typename Test>
+  bool all_on_sides(const Square& square, const Test& test);
   bool meets_another(const Square& square, TreeId tree);
   std::optional<glm::vec4> as_smooth(const Square& square, const Corners& corners);
   glm::vec4 as_parts(const Square& square, const Corners& corners);

@@ -1,7 +1,6 @@
 #include "app/povray.hpp"
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -11,35 +10,10 @@
 
 #include "io/other_program.hpp"
 #include "io/pov_file.hpp"
+#include "io/povray_program.hpp"
 
 namespace raycat::app {
 namespace {
-
-// From what POV-Ray prints:
-//     Pixels:             4352   Samples:           16384   Smpls/Pxl: 3.76
-//     Trace Time:       0 hours  0 minutes  0 seconds (0.221 seconds)
-//                 using 1 thread(s) with 0.219 CPU-seconds total
-// Pixels have one ray each, and samples are those beyond it.
-void read_statistics(const std::filesystem::path& log, const ImageSize& size,
-                     PovScene::Picture& picture) {
-  std::ifstream in(log);
-  bool tracing = false;
-  for (std::string line; std::getline(in, line);) {
-    double pixels = 0.0;
-    double samples = 0.0;
-    if (std::sscanf(line.c_str(), "Pixels: %lf Samples: %lf", &pixels, &samples) == 2) {
-      picture.per_pixel = (pixels + samples) / (static_cast<double>(size.width) * size.height);
-    }
-    tracing = line.find("Time:") == std::string::npos
-                  ? tracing
-                  : line.find("Trace Time:") != std::string::npos;
-    double cpu = 0.0;
-    if (tracing &&
-        std::sscanf(line.c_str(), " using %*d thread(s) with %lf CPU-seconds", &cpu) == 1) {
-      picture.cpu = cpu;
-    }
-  }
-}
 
 // The means of blocks of `side` by `side` pixels of a PPM file of 16 bits a channel.
 Pixels read_blocks(const std::filesystem::path& file, const ImageSize& size, int side) {
@@ -98,31 +72,23 @@ std::optional<PovScene::Picture> PovScene::render(int side,
   const ScratchFolder folder;
   const std::filesystem::path scene = folder / "scene.pov";
   const std::filesystem::path image = folder / "image.ppm";
-  const std::filesystem::path log = folder / "log";
   write_pov(scene, scene_,
             {.camera = camera_, .width = size.width, .height = size.height, .levels = levels_});
-  std::vector<std::string> words{"povray",
-                                 "+I" + scene.string(),
-                                 "+O" + image.string(),
+  std::vector<std::string> words{"+O" + image.string(),
                                  fmt::format("+W{}", size.width),
                                  fmt::format("+H{}", size.height),
                                  fmt::format("+WT{}", threads_),
                                  "+FP16",
                                  "File_Gamma=1",
-                                 "-D",
-                                 "-V",
                                  "-J"};
   words.insert(words.end(), options.begin(), options.end());
-  const std::optional<int> status = run_program(words, log);
-  if (!status) {
+  const std::optional<PovrayRun> run = run_povray(scene, words);
+  if (!run) {
     return std::nullopt;
   }
-  if (*status != 0) {
-    throw std::runtime_error("povray: it failed on a scene as `convert` writes it");
-  }
-  Picture picture{.colour = read_blocks(image, size_, side)};
-  read_statistics(log, size_, picture);
-  return picture;
+  return Picture{.colour = read_blocks(image, size_, side),
+                 .per_pixel = run->rays / (static_cast<double>(size_.width) * size_.height),
+                 .cpu = run->cpu};
 }
 
 }  // namespace raycat::app

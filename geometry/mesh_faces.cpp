@@ -113,10 +113,8 @@ class FaceGrouping {
   static RawArray<glm::uvec3> welded(std::span<const glm::uvec3> triangles,
                                      std::span<const std::uint32_t> first, int threads) {
     RawArray<glm::uvec3> out(triangles.size());
-    parallel_parts(out.size(), threads, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t i = begin; i < end; ++i) {
-        out[i] = {first[triangles[i].x], first[triangles[i].y], first[triangles[i].z]};
-      }
+    parallel_each(out.size(), threads, [&](std::size_t i) {
+      out[i] = {first[triangles[i].x], first[triangles[i].y], first[triangles[i].z]};
     });
     return out;
   }
@@ -244,8 +242,8 @@ class FaceGrouping {
   int threads_;
   std::vector<std::uint32_t> welded_;
   RawArray<glm::uvec3> vertices_;
-  std::atomic<bool> some_degenerate_ = false;
-  RawArray<glm::dvec3> normals_;  // zero for degenerate ones
+  std::atomic<bool> some_degenerate_ = false;  // before `normals_`, which tell
+  RawArray<glm::dvec3> normals_;               // zero for degenerate ones
   double same_normal_;
   double crease_chord_;
   EdgeUses edges_;

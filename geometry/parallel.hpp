@@ -60,4 +60,14 @@ void parallel_parts(std::size_t size, int threads, const Work& work) {
   parallel_rows(parts, parts, [&](int part, int) { work(begin(part), begin(part + 1), part); });
 }
 
+/// Calls `work(i)` once for each number below `size`, in such parts.
+template <typename Work>
+void parallel_each(std::size_t size, int threads, const Work& work) {
+  parallel_parts(size, threads, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      work(i);
+    }
+  });
+}
+
 }  // namespace raycat

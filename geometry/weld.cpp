@@ -98,11 +98,8 @@ std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions, int threa
     table.add(begin, end, [&](std::uint32_t i, std::uint32_t same) { equal.join(i, same); });
   });
   std::vector<std::uint32_t> first(positions.size());
-  parallel_parts(positions.size(), threads, [&](std::size_t begin, std::size_t end, int) {
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-      first[i] = equal.first(i);
-    }
-  });
+  parallel_each(positions.size(), threads,
+                [&](std::size_t i) { first[i] = equal.first(static_cast<std::uint32_t>(i)); });
   return first;
 }
 

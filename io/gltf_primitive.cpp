@@ -60,7 +60,7 @@ class PrimitiveReader {
       mesh->triangles.triangles = read_triangles(positions->size(), budget);
       vertices = renumber(mesh->triangles.triangles, positions->size());
       mesh->triangles.positions.resize(vertices.size());
-      for_each_number(vertices.size(), [&](std::size_t i) {
+      parallel_each(vertices.size(), threads_, [&](std::size_t i) {
         mesh->triangles.positions[i] = glm::dvec3((*positions)[vertices[i]]);
       });
       polygons = authored_polygons(document_, mesh_, primitive_, mesh->triangles.triangles);
@@ -106,16 +106,6 @@ class PrimitiveReader {
     document_.warnings.push_back(fmt::format("{}: {}: {}", place_, path_, what));
   }
 
-  // Calls `work(i)` for the numbers below `size`, on all threads.
-  template <class Work>
-  void for_each_number(std::size_t size, const Work& work) const {
-    parallel_parts(size, threads_, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t i = begin; i < end; ++i) {
-        work(i);
-      }
-    });
-  }
-
   // How many of the numbers below `size` are such that `test(i)`.
   template <class Test>
   std::size_t count_numbers(std::size_t size, const Test& test) const {
@@ -123,7 +113,7 @@ class PrimitiveReader {
     parallel_parts(size, threads_, [&](std::size_t begin, std::size_t end, int) {
       std::size_t of_part = 0;
       for (std::size_t i = begin; i < end; ++i) {
-        of_part += test(i) ? 1 : 0;
+        of_part += test(i) ? std::size_t{1} : std::size_t{0};
       }
       count += of_part;
     });
@@ -187,7 +177,7 @@ class PrimitiveReader {
     std::vector<glm::uvec3> triangles;
     if (from_.mode == TINYGLTF_MODE_TRIANGLES) {
       triangles.resize(count / 3);
-      for_each_number(triangles.size(), [&](std::size_t i) {
+      parallel_each(triangles.size(), threads_, [&](std::size_t i) {
         triangles[i] = {corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)};
       });
       if (count % 3 != 0) {
@@ -284,7 +274,7 @@ class PrimitiveReader {
       return;
     }
     mesh.normals.resize(vertices.size());
-    for_each_number(vertices.size(), [&](std::size_t i) {
+    parallel_each(vertices.size(), threads_, [&](std::size_t i) {
       const glm::dvec3 normal((*normals)[vertices[i]]);
       const double length = glm::length(normal);
       const bool usable = std::isfinite(length) && length > 0.0;

@@ -10,11 +10,8 @@
 #include <unistd.h>
 
 namespace raycat {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 ScratchFolder::ScratchFolder() {
   std::string name = (fs::temp_directory_path() / "raycat-XXXXXX").string();

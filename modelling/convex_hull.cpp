@@ -94,37 +94,28 @@ class Facets {
 };
 
 TriangleMesh triangles_of(const Surface& hull) {
-  std::vector<Vertex> order(hull.vertices().begin(), hull.vertices().end());
-  std::ranges::sort(order, [&](Vertex a, Vertex b) { return hull.point(a) < hull.point(b); });
-  std::vector<std::uint32_t> rank(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    rank[order[i].idx()] = i;
-  }
+  std::vector<std::vector<Vertex>> facets;
+  std::vector<Vertex> corners;  // of all facets, from the lowest
+  Facets(hull).for_each([&](const std::vector<Vertex>& facet) {
+    facets.push_back(facet);
+    corners.insert(corners.end(), facet.begin(), facet.end());
+  });
+  std::ranges::sort(corners, [&](Vertex a, Vertex b) { return hull.point(a) < hull.point(b); });
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
 
   TriangleMesh mesh;
-  std::vector<bool> used(order.size(), false);
-  Facets(hull).for_each([&](std::vector<Vertex>& corners) {
-    const auto by_rank = [&](Vertex vertex) { return rank[vertex.idx()]; };
-    std::ranges::rotate(corners, std::ranges::min_element(corners, {}, by_rank));
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      mesh.triangles.emplace_back(by_rank(corners[0]), by_rank(corners[i - 1]),
-                                  by_rank(corners[i]));
-    }
-    for (const Vertex corner : corners) {
-      used[by_rank(corner)] = true;
-    }
-  });
-
-  std::vector<std::uint32_t> number(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    if (used[i]) {
-      number[i] = static_cast<std::uint32_t>(mesh.positions.size());
-      const Kernel::Point_3& p = hull.point(order[i]);
-      mesh.positions.emplace_back(p.x(), p.y(), p.z());
-    }
+  std::vector<std::uint32_t> numbers(hull.number_of_vertices());
+  for (const Vertex corner : corners) {
+    numbers[corner.idx()] = static_cast<std::uint32_t>(mesh.positions.size());
+    const Kernel::Point_3& p = hull.point(corner);
+    mesh.positions.emplace_back(p.x(), p.y(), p.z());
   }
-  for (glm::uvec3& triangle : mesh.triangles) {
-    triangle = {number[triangle.x], number[triangle.y], number[triangle.z]};
+  const auto number = [&](Vertex vertex) { return numbers[vertex.idx()]; };
+  for (std::vector<Vertex>& facet : facets) {
+    std::ranges::rotate(facet, std::ranges::min_element(facet, {}, number));
+    for (std::size_t i = 2; i < facet.size(); ++i) {
+      mesh.triangles.emplace_back(number(facet[0]), number(facet[i - 1]), number(facet[i]));
+    }
   }
   std::ranges::sort(mesh.triangles, [](const glm::uvec3& a, const glm::uvec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
