@@ -25,7 +25,7 @@ std::uint64_t pixels_past(const Encoder& encoder, std::size_t bits, const Catego
     return count_pixels(exact_primes, [&](auto words) {
       BigInteger number;
       import_bits(number, words.begin(), words.end(), 32);
-      return number >> bits != 0;
+      return (number >> bits) != 0;
     });
   }
   return 0;

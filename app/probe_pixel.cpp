@@ -141,7 +141,7 @@ void print_codes(const Codes& codes, const Scene& scene, const Extent& extent, G
   if (codes.factors) {
     const BigInteger product = exact_product(*codes.factors);
     print(fmt::format("primes category: {}{}", product.str(),
-                      product >> 64 != 0 ? ", which overflows 64 bits" : ""));
+                      (product >> 64) != 0 ? ", which overflows 64 bits" : ""));
   } else {
     print(fmt::format("primes category: none, since there are more than {} surfaces",
                       PrimesProduct::limits.surfaces));

@@ -88,8 +88,9 @@ constexpr int reference_side = 32;
 constexpr int quick_reference_side = 6;
 constexpr int povray_side = 16;
 
-// That each choice is tried, but for quick studies.
-constexpr int times = 3;
+// How often a choice is tried at most, and the seconds after which it is not tried again.
+constexpr int most_times = 3;
+constexpr double long_enough = 1.5;
 
 Smoothed outcome(std::string family, std::string knobs, const Pixels& colours,
                  const Pixels& reference, const ImageSize& size) {
@@ -189,13 +190,16 @@ SmoothingSweep sweep_smoothing(const StudySettings& settings, const StudyScene& 
   }
   const double pixels = static_cast<double>(size.width) * size.height;
   for (const Choice& choice : all) {
-    // The least of several times: what else the machine does only adds to it.
+    // The least of several times, if it is short: what else the machine does only adds to it.
     double seconds = std::numeric_limits<double>::infinity();
+    double spent = 0.0;
     std::optional<SmoothPicture> last;
-    for (int time = 0; time < (settings.quick ? 1 : times); ++time) {
+    for (int time = 0; time < (settings.quick ? 1 : most_times) && spent < long_enough; ++time) {
       const double start = cpu_seconds();
       last = smoothed(settings, scene, size, choice.options);
-      seconds = std::min(seconds, cpu_seconds() - start);
+      const double taken = cpu_seconds() - start;
+      seconds = std::min(seconds, taken);
+      spent += taken;
     }
     const SmoothPicture& picture = *last;
     const SampleCounts& samples = picture.samples;

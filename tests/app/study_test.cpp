@@ -273,7 +273,8 @@ TEST_CASE("Table 1 has the paper's rows with ours beside them", "[app][study]") 
       Json::parse(raycat(fmt::format("compare {} --size 64x64 --json", scene("fig9"))).out);
   for (const Json& method : compared["methods"]) {
     const auto row = std::ranges::find_if(rows, [&](const auto& each) {
-      return each.at("method") == method["method"] && each.at("scene") == "fig9.gltf";
+      return each.at("method") == method["method"].get<std::string>() &&
+             each.at("scene") == "fig9.gltf";
     });
     REQUIRE(row != rows.end());
     CHECK(row->at("edge_pixels") == method["edge_pixels"].dump());
