@@ -19,7 +19,8 @@ SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* 
   result_ = {};
   samples_.start(error);
   patch_ = patch;
-  result_.mean = integrate(pixel_square(samples_.lattice(), x, y));
+  const Square pixel = pixel_square(samples_.lattice(), x, y);
+  result_.mean = integrate(pixel, samples_.corners(pixel));
   result_.refined = samples_.refined();
   return result_;
 }
@@ -44,19 +45,18 @@ bool SquareSmoother::all_on_sides(const Square& square, const Test& test) {
   return true;
 }
 
-glm::vec4 SquareSmoother::integrate(const Square& square) {
-  const Corners corners = samples_.corners(square);
+glm::vec4 SquareSmoother::integrate(const Square& square, const Corners& corners) {
   const bool one = std::ranges::all_of(
       corners, [&](const ColourSample* corner) { return corner->tree == corners[0]->tree; });
   if (one || samples_.by_colour()) {
     if (!samples_.by_colour() && meets_another(square, corners[0]->tree)) {
-      return part(square);
+      return part(square, corners);
     }
     if (const auto smooth = as_smooth(square, corners)) {
       return *smooth;
     }
     const bool textured = std::ranges::any_of(corners, &ColourSample::textured);
-    return textured || samples_.by_colour() ? as_parts(square, corners) : part(square);
+    return textured || samples_.by_colour() ? as_parts(square, corners) : part(square, corners);
   }
   return as_parts(square, corners);
 }
@@ -83,17 +83,19 @@ glm::vec2 SquareSmoother::place(const Square& square) const {
 
 // In four, each integrated by itself. The samples that this puts on the pixel's borders tell its
 // neighbours something.
-glm::vec4 SquareSmoother::part(const Square& square) {
+glm::vec4 SquareSmoother::part(const Square& square, const Corners& corners) {
   if (square.size <= samples_.lattice().units() >> deepest) {
-    const Corners corners = samples_.corners(square);
     return whole(square, corners, mean_of(corners));
   }
   const int half = square.size / 2;
   const int units = samples_.lattice().units();
+  std::array<std::array<const ColourSample*, 3>, 3> grid{
+      {{corners[0], nullptr, corners[1]}, {}, {corners[2], nullptr, corners[3]}}};
   for (const glm::ivec2 step : {glm::ivec2(1, 0), {0, 1}, {2, 1}, {1, 2}, {1, 1}}) {
     const glm::ivec2 point = square.at + half * step;
     bool fresh = false;
-    samples_.sample(point, &fresh);
+    grid[static_cast<std::size_t>(step.y)][static_cast<std::size_t>(step.x)] =
+        &samples_.sample(point, &fresh);
     if (fresh) {
       result_.borders[0] = result_.borders[0] || (point.x % units == 0 && step.x == 0);
       result_.borders[1] = result_.borders[1] || (point.x % units == 0 && step.x == 2);
@@ -102,8 +104,12 @@ glm::vec4 SquareSmoother::part(const Square& square) {
     }
   }
   glm::vec4 sum(0.0f);
-  for (const glm::ivec2 quarter : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
-    sum += integrate({.at = square.at + half * quarter, .size = half});
+  for (std::size_t y = 0; y < 2; ++y) {
+    for (std::size_t x = 0; x < 2; ++x) {
+      const glm::ivec2 quarter(static_cast<int>(x), static_cast<int>(y));
+      sum += integrate({.at = square.at + half * quarter, .size = half},
+                       {grid[y][x], grid[y][x + 1], grid[y + 1][x], grid[y + 1][x + 1]});
+    }
   }
   return 0.25f * sum;
 }
@@ -155,9 +161,9 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
       error += twelfth * std::sqrt(largest);
       correction += twelfth / static_cast<float>(count) * sum;
     }
-  }
-  if (error > allowed) {
-    return std::nullopt;
+    if (error > allowed) {
+      return std::nullopt;
+    }
   }
   may_be_off(error * samples_.area(square));
   return whole(square, corners, mean_of(corners) - correction);
@@ -169,11 +175,11 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
       label_corners(corners, samples_.by_colour(), samples_.error() / a, 0.15f);
   if (labels.count == 1 || labels.apart * a / 4.0f < samples_.error()) {
     const auto one = as_one(square, corners, labels.farthest);
-    return one ? *one : part(square);
+    return one ? *one : part(square, corners);
   }
   if (labels.count == 2) {
     const auto two = cluttered(square) ? std::nullopt : as_two(square, corners, labels);
-    return two ? *two : part(square);
+    return two ? *two : part(square, corners);
   }
   const ColourSample& centre = samples_.sample(square.at + square.size / 2);
   if (labels.apart * a / 8.0f < samples_.error()) {
@@ -181,7 +187,7 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
     cover(centre.tree, 0.5f * a);
     return whole(square, corners, 0.5f * (mean_of(corners) + centre.colour), 0.5f);
   }
-  return part(square);
+  return part(square, corners);
 }
 
 // Are there so many categories among the samples around a pixel that a border through it is hardly

@@ -49,8 +49,8 @@ class SquareSmoother {
   void may_be_off(float error) { result_.error = std::max(result_.error, error); }
   glm::vec2 place(const Square& square) const;
 
-  glm::vec4 integrate(const Square& square);
-  glm::vec4 part(const Square& square);
+  glm::vec4 integrate(const Square& square, const Corners& corners);
+  glm::vec4 part(const Square& square, const Corners& corners);
   bool cluttered(const Square& square);
   template <typename Test>
   bool all_on_sides(const Square& square, const Test& test);
