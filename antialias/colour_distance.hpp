@@ -12,10 +12,14 @@ namespace raycat {
 /// How much a difference of two linear colours with associated alpha counts: the mean square over
 /// channels, over black or over white, whichever shows more.
 inline float squared_magnitude(const glm::vec4& difference) {
-  const glm::vec3 over_black(difference);
-  const glm::vec3 over_white = over_black - difference.a;
   constexpr float third = 1.0f / 3.0f;
-  return third * std::max(glm::dot(over_black, over_black), glm::dot(over_white, over_white));
+  const glm::vec3 over_black(difference);
+  const float black = third * glm::dot(over_black, over_black);
+  if (difference.a == 0.0f) {
+    return black;
+  }
+  const glm::vec3 over_white = over_black - difference.a;
+  return std::max(black, third * glm::dot(over_white, over_white));
 }
 
 /// The root of that.

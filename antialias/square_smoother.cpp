@@ -22,7 +22,7 @@ SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* 
   const Square pixel = pixel_square(samples_.lattice(), x, y);
   result_.mean = integrate(pixel, samples_.corners(pixel));
   result_.refined = samples_.refined();
-  return result_;
+  return std::move(result_);
 }
 
 // Is `test(met, from, to)` true of all samples that there are on the square's sides between two

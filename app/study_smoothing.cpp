@@ -160,7 +160,8 @@ Json study_table2(const StudySettings& settings, ReportPage& page) {
       "superior results; primes product and the simple threshold method similar ones.",
       "The same methods on scenes of ours, in the same order of cost. How good pictures are, the "
       "plots say: PSNR against rays a pixel, all of which count as one, also those that only told "
-      "two categories apart, and against CPU time.");
+      "two categories apart, and against CPU time. Where POV-Ray is installed its two methods are "
+      "there too, against its own dense samples.");
   page.table(paper_table(), write_table(settings, "table2-paper", paper_table()));
   Table points{.columns = {"scene", "size", "method", "options", "rays_per_pixel", "category_only",
                            "cpu_seconds", "psnr", "psnr_encoded", "ssim"},
