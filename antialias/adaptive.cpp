@@ -35,6 +35,7 @@ class AdaptivePicture {
         adaptive_(adaptive),
         out_(settings.width, settings.height),
         lattice_(sampler, settings.width, settings.height, units, settings.threads),
+        thin_(sampler.thin(), settings.width, settings.height, units),
         pending_(out_.colour.size()),
         pixels_(out_.colour.size()),
         borders_(static_cast<std::size_t>(settings.height)),
@@ -165,7 +166,7 @@ class AdaptivePicture {
     const int threads = std::min(settings_.threads, static_cast<int>(now.size() / few) + 1);
     for (const auto& apart : rows) {
       parallel_rows(static_cast<int>(apart.size()), threads, [&](int i, int worker) {
-        SquareSmoother smoother(lattice_, adaptive_, settings_.coverage, worker);
+        SquareSmoother smoother(lattice_, thin_, adaptive_, settings_.coverage, worker);
         for (const std::size_t pixel : apart[static_cast<std::size_t>(i)]) {
           if (pending_[pixel].exchange(0) != 0) {
             smooth_pixel(smoother, pixel, worker);
@@ -222,7 +223,7 @@ class AdaptivePicture {
   void filter() {
     FilteredPicture filtered(settings_.filter, settings_.width, settings_.height, Patch::side);
     each_row_apart(settings_.height, settings_.threads, [&](int y, int worker) {
-      SquareSmoother smoother(lattice_, adaptive_, false, worker);
+      SquareSmoother smoother(lattice_, thin_, adaptive_, false, worker);
       const std::size_t line = static_cast<std::size_t>(settings_.width) * Patch::side;
       std::vector<glm::vec4> cells(line * Patch::side);
       for (int x = 0; x < settings_.width; ++x) {
@@ -247,6 +248,7 @@ class AdaptivePicture {
   const AdaptiveSettings& adaptive_;
   SmoothPicture out_;
   SampleLattice lattice_;
+  ThinPoints thin_;
   std::vector<std::atomic<std::uint8_t>> pending_;  // is a pixel to be smoothed, maybe again?
   std::vector<Pixel> pixels_;
   std::vector<BorderRow> borders_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -35,6 +36,10 @@ class Sampler {
 
   /// Can `side` tell these two apart by less than a whole tree?
   virtual bool tells_cheaply(TreeId a, TreeId b) = 0;
+
+  /// Points, in pixels, at which there may be something so thin that the corners of pixels all miss
+  /// it. Always the same, in the same order.
+  virtual std::vector<glm::dvec2> thin() const { return {}; }
 };
 
 }  // namespace raycat

@@ -149,14 +149,9 @@ void divide(const Corners& corners, const CornerLabels& labels, const Crossing& 
 float error_in_middle(PixelSamples& samples, const Square& square, const Corners& corners,
                       const CornerLabels& labels, const SquareCut& cut) {
   const ColourSample& centre = samples.sample(square.at + square.size / 2);
-  const glm::vec2 chord = cut.ends[1] - cut.ends[0];
-  const auto side_of = [&](const glm::vec2& point) {
-    const glm::vec2 from = point - cut.ends[0];
-    return chord.x * from.y - chord.y * from.x > 0.0f;
-  };
-  const bool in_first = side_of(glm::vec2(0.5f)) == side_of(cut.parts[0].integral.centre);
-  const SquareCut::Part& is = cut.parts[in_first ? 0 : 1];
-  const SquareCut::Part& other = cut.parts[in_first ? 1 : 0];
+  const std::size_t part = cut.part_at(glm::vec2(0.5f));
+  const SquareCut::Part& is = cut.parts[part];
+  const SquareCut::Part& other = cut.parts[1 - part];
   float error = 0.0f;
   if (label_of(centre, corners, labels, samples.by_colour()) == other.region.label) {
     error = is.integral.area < 0.62f
@@ -170,6 +165,15 @@ float error_in_middle(PixelSamples& samples, const Square& square, const Corners
 }
 
 }  // namespace
+
+std::size_t SquareCut::part_at(const glm::vec2& point) const {
+  const glm::vec2 chord = ends[1] - ends[0];
+  const auto side_of = [&](const glm::vec2& at) {
+    const glm::vec2 from = at - ends[0];
+    return chord.x * from.y - chord.y * from.x > 0.0f;
+  };
+  return side_of(point) == side_of(parts[0].integral.centre) ? 0 : 1;
+}
 
 Border SquareCut::border(const Corners& corners, const CornerLabels& labels) const {
   const glm::vec2 middle = 0.5f * (ends[0] + ends[1]);
@@ -246,8 +250,7 @@ std::optional<SquareCut> cut(PixelSamples& samples, const Square& square, const 
       return std::nullopt;
     }
   }
-  constexpr float bulge = 0.08f;  // the part of a square by which a border may miss its chord
-  const float missed = bulge * labels.apart * a;
+  const float missed = border_bulge * labels.apart * a;
   const bool known = missed <= samples.error()
                          ? allow(missed)
                          : allow(error_in_middle(samples, square, corners, labels, out));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "antialias/border.hpp"
@@ -9,6 +10,9 @@
 #include "antialias/square_region.hpp"
 
 namespace raycat {
+
+/// The part of a square by which a border may miss its chord.
+constexpr float border_bulge = 0.08f;
 
 /// A square in two parts with a straight border between them.
 struct SquareCut {
@@ -31,6 +35,9 @@ struct SquareCut {
            parts[1].integral.area * parts[1].integral.mean;
   }
   Border border(const Corners& corners, const CornerLabels& labels) const;
+
+  /// Which part a point of the square is in.
+  std::size_t part_at(const glm::vec2& point) const;
 };
 
 /// Cuts a square whose corners are of two labels. Nothing if these lie crosswise, or if a sample is

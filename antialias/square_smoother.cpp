@@ -19,6 +19,8 @@ SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* 
   result_ = {};
   samples_.start(error);
   patch_ = patch;
+  thin_here_ = thin_.in(x, y);
+  found_thin_ = false;
   const Square pixel = pixel_square(samples_.lattice(), x, y);
   result_.mean = integrate(pixel, samples_.corners(pixel));
   result_.refined = samples_.refined();
@@ -49,7 +51,11 @@ glm::vec4 SquareSmoother::integrate(const Square& square, const Corners& corners
   const bool one = std::ranges::all_of(
       corners, [&](const ColourSample* corner) { return corner->tree == corners[0]->tree; });
   if (one || samples_.by_colour()) {
-    if (!samples_.by_colour() && meets_another(square, corners[0]->tree)) {
+    const auto of_another = [&](const ColourSample& met, const glm::vec2& /*at*/) {
+      return met.tree != corners[0]->tree ? std::optional(corners[0]->colour) : std::nullopt;
+    };
+    if (!samples_.by_colour() &&
+        (meets_another(square, corners[0]->tree) || find_thin(square, of_another))) {
       return part(square, corners);
     }
     if (const auto smooth = as_smooth(square, corners)) {
@@ -120,6 +126,25 @@ bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
                                    std::size_t /*to*/) { return met.sample->tree == tree; });
 }
 
+// Is there something thin within a square that could be seen and is not taken into account? Where
+// `expected(met, at)`, of a sample and its place in units of the square, is not nothing, that is
+// the colour taken for it.
+template <typename Expected>
+bool SquareSmoother::find_thin(const Square& square, const Expected& expected) {
+  const bool found = std::ranges::any_of(thin_here_, [&](const glm::ivec2& point) {
+    const glm::ivec2 from = point - square.at;
+    if (from.x < 0 || from.y < 0 || from.x >= square.size || from.y >= square.size) {
+      return false;
+    }
+    const ColourSample& met = samples_.sample(point);
+    const std::optional<glm::vec4> taken =
+        expected(met, glm::vec2(from) / static_cast<float>(square.size));
+    return taken && distance_of(met.colour, *taken) * samples_.area(square) > samples_.error();
+  });
+  found_thin_ = found_thin_ || found;
+  return found;
+}
+
 // The integral of the quadratic that second differences with the samples one square further tell;
 // nothing if it may be off by more than is allowed.
 std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const Corners& corners) {
@@ -178,7 +203,9 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
     return one ? *one : part(square, corners);
   }
   if (labels.count == 2) {
-    const auto two = cluttered(square) ? std::nullopt : as_two(square, corners, labels);
+    // The border of something thin may bend as much as a border can.
+    const bool bent = found_thin_ && border_bulge * labels.apart * a > samples_.error();
+    const auto two = bent || cluttered(square) ? std::nullopt : as_two(square, corners, labels);
     return two ? *two : part(square, corners);
   }
   const ColourSample& centre = samples_.sample(square.at + square.size / 2);
@@ -231,6 +258,15 @@ std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corn
                                                 const CornerLabels& labels) {
   const auto two = cut(samples_, square, corners, labels);
   if (!two) {
+    return std::nullopt;
+  }
+  const auto in_other_part = [&](const ColourSample& met, const glm::vec2& at) {
+    const SquareCut::Part& part = two->parts[two->part_at(at)];
+    return label_of(met, corners, labels, false) != part.region.label
+               ? std::optional(part.integral.mean)
+               : std::nullopt;
+  };
+  if (!samples_.by_colour() && find_thin(square, in_other_part)) {
     return std::nullopt;
   }
   may_be_off(two->error);

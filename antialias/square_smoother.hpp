@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -12,6 +13,7 @@
 #include "antialias/corner_labels.hpp"
 #include "antialias/patch.hpp"
 #include "antialias/pixel_samples.hpp"
+#include "antialias/thin_points.hpp"
 
 namespace raycat {
 
@@ -21,8 +23,9 @@ class SquareSmoother {
  public:
   /// Keeps references. The lattice must have its corners, and units that can be halved as often as
   /// a border is followed.
-  SquareSmoother(SampleLattice& lattice, const AdaptiveSettings& settings, bool covers, int worker)
-      : samples_(lattice, settings, worker), covers_(covers) {}
+  SquareSmoother(SampleLattice& lattice, const ThinPoints& thin, const AdaptiveSettings& settings,
+                 bool covers, int worker)
+      : samples_(lattice, settings, worker), thin_(thin), covers_(covers) {}
 
   /// What a pixel is, colour and alpha, and what it has put on its borders that was not there.
   struct Result {
@@ -55,6 +58,8 @@ class SquareSmoother {
   template <typename Test>
   bool all_on_sides(const Square& square, const Test& test);
   bool meets_another(const Square& square, TreeId tree);
+  template <typename Expected>
+  bool find_thin(const Square& square, const Expected& expected);
   std::optional<glm::vec4> as_smooth(const Square& square, const Corners& corners);
   glm::vec4 as_parts(const Square& square, const Corners& corners);
   std::optional<glm::vec4> as_one(const Square& square, const Corners& corners, float diff);
@@ -62,6 +67,9 @@ class SquareSmoother {
                                   const CornerLabels& labels);
 
   PixelSamples samples_;
+  const ThinPoints& thin_;
+  std::span<const glm::ivec2> thin_here_;  // in the pixel
+  bool found_thin_ = false;                // has the pixel something that its corners missed?
   bool covers_;
   Patch* patch_ = nullptr;
   Result result_;

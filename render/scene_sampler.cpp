@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "render/textured_primitives.hpp"
+#include "render/thin_things.hpp"
 #include "render/tree_difference.hpp"
 
 namespace raycat {
@@ -12,6 +13,9 @@ namespace raycat {
 SceneSampler::SceneSampler(const Accel& accel, const Camera& camera, int width, int height,
                            int levels, int threads, Backdrop backdrop)
     : accel_(accel),
+      camera_(camera),
+      width_(width),
+      height_(height),
       plane_(camera, width, height),
       levels_(levels),
       backdrop_(backdrop),
@@ -100,6 +104,10 @@ std::optional<TreeId> SceneSampler::side(const glm::dvec2& point, TreeId a, Tree
     ++(by_reflection ? at.scratch.rays.reflection : at.scratch.rays.refraction);
     ray = *next;
   }
+}
+
+std::vector<glm::dvec2> SceneSampler::thin() const {
+  return thin_things(accel_.scene(), camera_, width_, height_);
 }
 
 RayCounts SceneSampler::rays() const {

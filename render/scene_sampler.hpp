@@ -23,6 +23,7 @@ class SceneSampler : public Sampler {
   ColourSample sample(const glm::dvec2& point, int worker) override;
   std::optional<TreeId> side(const glm::dvec2& point, TreeId a, TreeId b, int worker) override;
   bool tells_cheaply(TreeId a, TreeId b) override;
+  std::vector<glm::dvec2> thin() const override;
 
   const RayTree& tree(TreeId id) const { return trees_.tree(id); }
 
@@ -39,6 +40,9 @@ class SceneSampler : public Sampler {
   };
 
   const Accel& accel_;
+  Camera camera_;
+  int width_;
+  int height_;
   ImagePlane plane_;
   int levels_;
   Backdrop backdrop_;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace raycat {
+
+/// Points of a lattice at which to look for something thin, by pixel.
+class ThinPoints {
+ public:
+  ThinPoints() = default;
+
+  /// Of points in pixels, on a lattice of `units` by `units` a pixel; those outside the picture are
+  /// left out, and of those in one pixel all but the first few.
+  ThinPoints(const std::vector<glm::dvec2>& points, int width, int height, int units);
+
+  std::span<const glm::ivec2> in(int x, int y) const;
+
+ private:
+  std::size_t width_ = 0;
+  std::vector<std::size_t> pixels_;  // ascending
+  std::vector<glm::ivec2> points_;   // one each
+};
+
+}  // namespace raycat
