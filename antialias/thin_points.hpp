@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,8 @@ class ThinPoints {
 
  private:
   std::size_t width_ = 0;
-  std::vector<std::size_t> pixels_;  // ascending
-  std::vector<glm::ivec2> points_;   // one each
+  std::vector<std::uint32_t> begin_;  // of each pixel's points, and their end; none without points
+  std::vector<glm::ivec2> points_;
 };
 
 }  // namespace raycat
