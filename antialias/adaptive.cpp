@@ -182,7 +182,7 @@ class AdaptivePicture {
     const auto width = static_cast<std::size_t>(settings_.width);
     const auto x = static_cast<int>(number % width);
     const auto y = static_cast<int>(number / width);
-    SquareSmoother::Result result = smoother.smooth(x, y, pixel.allowed, nullptr);
+    SquareSmoother::Result& result = smoother.smooth(x, y, pixel.allowed, nullptr);
     out_.colour[number] = result.mean;
     pixel.error = result.error;
     pixel.refined = pixel.refined || result.refined;

@@ -15,7 +15,7 @@ constexpr int deepest = 4;  // times that a pixel is parted
 
 }  // namespace
 
-SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* patch) {
+SquareSmoother::Result& SquareSmoother::smooth(int x, int y, float error, Patch* patch) {
   result_ = {};
   samples_.start(error);
   patch_ = patch;
@@ -24,7 +24,7 @@ SquareSmoother::Result SquareSmoother::smooth(int x, int y, float error, Patch* 
   const Square pixel = pixel_square(samples_.lattice(), x, y);
   result_.mean = integrate(pixel, samples_.corners(pixel));
   result_.refined = samples_.refined();
-  return std::move(result_);
+  return result_;
 }
 
 // Is `test(met, from, to)` true of all samples that there are on the square's sides between two

@@ -38,8 +38,9 @@ class SquareSmoother {
     std::optional<Border> cut;      ///< the only border within it, if that is straight
   };
 
-  /// With the error that is allowed, and if it is wanted, what is where within the pixel.
-  Result smooth(int x, int y, float error, Patch* patch);
+  /// With the error that is allowed, and if it is wanted, what is where within the pixel. Stays
+  /// until the next pixel.
+  Result& smooth(int x, int y, float error, Patch* patch);
 
  private:
   void cover(TreeId tree, float share) {
