@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "antialias/plain_pixel.hpp"
 #include "antialias/square_smoother.hpp"
 #include "tracer/row_progress.hpp"
 
@@ -168,7 +169,8 @@ class AdaptivePicture {
       parallel_rows(static_cast<int>(apart.size()), threads, [&](int i, int worker) {
         SquareSmoother smoother(lattice_, thin_, adaptive_, settings_.coverage, worker);
         for (const std::size_t pixel : apart[static_cast<std::size_t>(i)]) {
-          if (pending_[pixel].exchange(0) != 0) {
+          if (pending_[pixel].load(std::memory_order_relaxed) != 0) {
+            pending_[pixel].store(0, std::memory_order_relaxed);  // only this row's work reads it
             smooth_pixel(smoother, pixel, worker);
           }
         }
@@ -182,6 +184,18 @@ class AdaptivePicture {
     const auto width = static_cast<std::size_t>(settings_.width);
     const auto x = static_cast<int>(number % width);
     const auto y = static_cast<int>(number / width);
+    if (adaptive_.categories && thin_.in(x, y).empty()) {
+      if (const auto plain = plain_pixel(lattice_, x, y, pixel.allowed)) {
+        out_.colour[number] = plain->mean;
+        pixel.error = plain->error;
+        borders_[static_cast<std::size_t>(y)].set(x, std::nullopt);
+        if (settings_.coverage) {
+          const ColourSample& corner = lattice_.corner_row(y)[x];
+          out_.coverage[number] = {{.tree = corner.tree, .share = 1.0f}};
+        }
+        return;
+      }
+    }
     SquareSmoother::Result& result = smoother.smooth(x, y, pixel.allowed, nullptr);
     out_.colour[number] = result.mean;
     pixel.error = result.error;

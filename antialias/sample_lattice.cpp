@@ -6,12 +6,6 @@
 #include "geometry/parallel.hpp"
 
 namespace raycat {
-namespace {
-
-constexpr std::size_t buckets_a_corner = 3;
-
-}  // namespace
-
 SampleLattice::SampleLattice(Sampler& sampler, int width, int height, int units, int threads)
     : sampler_(sampler),
       width_(width),

@@ -42,6 +42,17 @@ class SampleLattice {
   /// Traces all corners of pixels. Before anything else.
   void trace_corners(int threads);
 
+  /// The corners of pixels in a row of them, `width() + 1`.
+  const ColourSample* corner_row(int row) const { return corners_.data() + corner(0, row); }
+
+  /// Has anything been sampled within a pixel or on its borders, but for its corners?
+  bool refined(int x, int y) const {
+    const std::size_t here = buckets_a_corner * corner(x, y);
+    const std::size_t below = buckets_a_corner * corner(x, y + 1);
+    return buckets_[here] || buckets_[here + 1] || buckets_[here + 2] ||
+           buckets_[here + buckets_a_corner + 1] || buckets_[below];
+  }
+
   /// The sample at a point in lattice units, which is traced if it is not there; `fresh` is set if
   /// it was not.
   const ColourSample& at(const glm::ivec2& point, int worker, bool* fresh = nullptr);
@@ -120,6 +131,7 @@ class SampleLattice {
   int units_;
   int shift_;  // the power of two that units are, or -1
   std::vector<ColourSample> corners_;
+  static constexpr std::size_t buckets_a_corner = 3;
   // Of each corner: the border to the right, the border below, and the pixel between them.
   std::vector<std::unique_ptr<Bucket>> buckets_;
   std::vector<PerWorker> per_worker_;
