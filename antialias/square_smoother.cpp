@@ -131,15 +131,20 @@ bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
 // the colour taken for it.
 template <typename Expected>
 bool SquareSmoother::find_thin(const Square& square, const Expected& expected) {
+  const float area = samples_.area(square);
   const bool found = std::ranges::any_of(thin_here_, [&](const glm::ivec2& point) {
     const glm::ivec2 from = point - square.at;
     if (from.x < 0 || from.y < 0 || from.x >= square.size || from.y >= square.size) {
       return false;
     }
+    if (area <= samples_.error()) {  // whatever it is
+      may_be_off(area);
+      return false;
+    }
     const ColourSample& met = samples_.sample(point);
     const std::optional<glm::vec4> taken =
         expected(met, glm::vec2(from) / static_cast<float>(square.size));
-    return taken && distance_of(met.colour, *taken) * samples_.area(square) > samples_.error();
+    return taken && distance_of(met.colour, *taken) * area > samples_.error();
   });
   found_thin_ = found_thin_ || found;
   return found;

@@ -1,5 +1,6 @@
 #include "antialias/thin_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -91,6 +92,28 @@ TEST_CASE("a wire of any width and direction is covered as much as it is",
     }
     RC_ASSERT(std::abs(sum / (10.0 * width) - 1.0) < 0.15);
   }));
+}
+
+TEST_CASE("what all corners miss is found within a budget, and no more is spent", "[antialias]") {
+  std::vector<glm::dvec2> everywhere;
+  for (int i = 0; i < 16 * 16; ++i) {
+    everywhere.push_back(middle + glm::dvec2(i % 16, i / 16));
+  }
+  Told discs(in_disc, everywhere);
+  for (const double budget : {1.2, 40.0}) {
+    const SmoothPicture is =
+        smooth_adaptively(discs, {.width = 16, .height = 16, .threads = 1, .progress = {}},
+                          {.error = 0.0f, .budget = budget});
+    CHECK(is.samples.colour + is.samples.category_only <=
+          std::max<std::uint64_t>(17 * 17, static_cast<std::uint64_t>(budget * 256)));
+    double sum = 0.0;
+    for (const glm::vec4& pixel : is.colour) {
+      sum += pixel.g;
+    }
+    const double area = 256 * std::numbers::pi * radius * radius;
+    CHECK(sum < 1.05 * area);
+    CHECK((budget < 2.0 || sum > 0.75 * area));
+  }
 }
 
 TEST_CASE("looking where nothing is costs a ray", "[antialias]") {
