@@ -119,16 +119,17 @@ void SampleLattice::between(const glm::ivec2& start, const glm::ivec2& end,
     return;
   }
   // Within a pixel, a column's places are a row of the lattice apart.
-  const int stride = !along_x && x.over != 0 ? units_ : 1;
+  const bool by_rows = !along_x && x.over != 0;
   const int length = along_x ? end.x - start.x : end.y - start.y;
   auto at = std::ranges::lower_bound(bucket->entries, first.key, {}, &Entry::place);
   for (; at != bucket->entries.end(); ++at) {
     const int distance = static_cast<int>(at->place - first.key);
-    if (distance / stride >= length - 1) {
+    const Split steps = by_rows ? split(distance) : Split{.pixel = distance, .over = 0};
+    if (steps.pixel >= length - 1) {
       break;
     }
-    if (distance % stride == 0) {
-      out.push_back({.from_start = distance / stride + 1, .sample = at->sample});
+    if (steps.over == 0) {
+      out.push_back({.from_start = steps.pixel + 1, .sample = at->sample});
     }
   }
 }
