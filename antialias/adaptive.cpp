@@ -36,7 +36,7 @@ class AdaptivePicture {
         adaptive_(adaptive),
         out_(settings.width, settings.height),
         lattice_(sampler, settings.width, settings.height, units, settings.threads),
-        thin_(sampler.thin(), settings.width, settings.height, units),
+        thin_(sampler, settings.width, settings.height, units),
         pending_(out_.colour.size()),
         pixels_(out_.colour.size()),
         borders_(static_cast<std::size_t>(settings.height)),

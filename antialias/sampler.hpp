@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -37,9 +37,11 @@ class Sampler {
   /// Can `side` tell these two apart by less than a whole tree?
   virtual bool tells_cheaply(TreeId a, TreeId b) = 0;
 
-  /// Points, in pixels, at which there may be something so thin that the corners of pixels all miss
-  /// it. Always the same, in the same order.
-  virtual std::vector<glm::dvec2> thin() const { return {}; }
+  /// Calls `visit` with points, in pixels, at which there may be something so thin that the corners
+  /// of pixels all miss it. Always the same, in the same order.
+  virtual void thin(const std::function<void(const glm::dvec2&)>& visit) const {
+    static_cast<void>(visit);
+  }
 };
 
 }  // namespace raycat

@@ -7,6 +7,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "antialias/sampler.hpp"
+
 namespace raycat {
 
 /// Points of a lattice at which to look for something thin, by pixel.
@@ -14,9 +16,9 @@ class ThinPoints {
  public:
   ThinPoints() = default;
 
-  /// Of points in pixels, on a lattice of `units` by `units` a pixel; those outside the picture are
-  /// left out, and of those in one pixel all but the first few.
-  ThinPoints(const std::vector<glm::dvec2>& points, int width, int height, int units);
+  /// Those that a sampler knows, on a lattice of `units` by `units` a pixel; what is outside the
+  /// picture is left out, and of those in one pixel all but the first eight.
+  ThinPoints(const Sampler& sampler, int width, int height, int units);
 
   std::span<const glm::ivec2> in(int x, int y) const;
 

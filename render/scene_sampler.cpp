@@ -106,8 +106,8 @@ std::optional<TreeId> SceneSampler::side(const glm::dvec2& point, TreeId a, Tree
   }
 }
 
-std::vector<glm::dvec2> SceneSampler::thin() const {
-  return thin_things(accel_.scene(), camera_, width_, height_);
+void SceneSampler::thin(const std::function<void(const glm::dvec2&)>& visit) const {
+  for_thin_things(accel_.scene(), camera_, width_, height_, visit);
 }
 
 RayCounts SceneSampler::rays() const {

@@ -23,7 +23,7 @@ class SceneSampler : public Sampler {
   ColourSample sample(const glm::dvec2& point, int worker) override;
   std::optional<TreeId> side(const glm::dvec2& point, TreeId a, TreeId b, int worker) override;
   bool tells_cheaply(TreeId a, TreeId b) override;
-  std::vector<glm::dvec2> thin() const override;
+  void thin(const std::function<void(const glm::dvec2&)>& visit) const override;
 
   const RayTree& tree(TreeId id) const { return trees_.tree(id); }
 

@@ -14,8 +14,11 @@ namespace {
 
 class Finder {
  public:
-  Finder(const Camera& camera, int width, int height)
+  using Visit = std::function<void(const glm::dvec2&)>;
+
+  Finder(const Camera& camera, int width, int height, const Visit& visit)
       : camera_(camera),
+        visit_(visit),
         plane_(camera, width, height),
         picture_{.min = {0.0, 0.0, -1.0}, .max = {width, height, 1.0}} {}
 
@@ -51,8 +54,6 @@ class Finder {
     }
   }
 
-  std::vector<glm::dvec2> take() { return std::move(points_); }
-
  private:
   // Something round that is larger than a pixel's diagonal meets a corner.
   static constexpr double thin = 1.5;
@@ -85,21 +86,21 @@ class Finder {
     const double length = (inside.end - inside.begin) * glm::length(way);
     const double count = length < thin ? 1.0 : std::ceil(a_pixel * length);
     for (double i = 0.5; i < count; i += 1.0) {
-      points_.push_back(start + (inside.begin + i / count * (inside.end - inside.begin)) * way);
+      visit_(start + (inside.begin + i / count * (inside.end - inside.begin)) * way);
     }
   }
 
   const Camera& camera_;
+  const Visit& visit_;
   ImagePlane plane_;
   Bounds picture_;
-  std::vector<glm::dvec2> points_;
 };
 
 }  // namespace
 
-std::vector<glm::dvec2> thin_things(const Scene& scene, const Camera& camera, int width,
-                                    int height) {
-  Finder finder(camera, width, height);
+void for_thin_things(const Scene& scene, const Camera& camera, int width, int height,
+                     const std::function<void(const glm::dvec2&)>& visit) {
+  Finder finder(camera, width, height, visit);
   for (const SolidObject& object : scene.solids) {
     for (const CsgLeaf& leaf : object.solid.tree().leaves()) {
       finder.add(bounds(leaf.shape.shape()), leaf.shape.transform());
@@ -113,7 +114,6 @@ std::vector<glm::dvec2> thin_things(const Scene& scene, const Camera& camera, in
     }
     finder.add(box->second, instance.transform);
   }
-  return finder.take();
 }
 
 }  // namespace raycat
