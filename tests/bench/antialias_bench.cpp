@@ -62,7 +62,7 @@ float equal_threshold(const Smoother& smoother, const Pixels& reference, double 
   float bad = 1.0f;
   for (int step = 0; step < 8; ++step) {
     const float middle = std::sqrt(good * bad);
-    (psnr(smoother.whitted(middle).colour, reference) >= target ? good : bad) = middle;
+    (psnr(smoother.whitted(middle).without_alpha(), reference) >= target ? good : bad) = middle;
   }
   return good;
 }
@@ -83,8 +83,8 @@ struct Match {
 
   explicit Match(const char* path)
       : file(load_scene(path)), accel(file.scene), smoother(accel, file.scene.cameras.front()) {
-    const Pixels reference = smoother.uniform(reference_samples).colour;
-    quality = psnr(smoother.adaptive().colour, reference);
+    const Pixels reference = smoother.uniform(reference_samples).without_alpha();
+    quality = psnr(smoother.adaptive().without_alpha(), reference);
     threshold = equal_threshold(smoother, reference, quality);
   }
 };
