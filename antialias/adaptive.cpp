@@ -9,7 +9,7 @@
 
 #include "antialias/plain_pixel.hpp"
 #include "antialias/square_smoother.hpp"
-#include "tracer/row_progress.hpp"
+#include "threads/row_progress.hpp"
 
 namespace raycat {
 namespace {

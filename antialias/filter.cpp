@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 

@@ -6,7 +6,7 @@
 
 #include "antialias/antialias.hpp"
 #include "antialias/over_lattice.hpp"
-#include "tracer/row_progress.hpp"
+#include "threads/row_progress.hpp"
 
 namespace raycat {
 namespace {

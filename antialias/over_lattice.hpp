@@ -5,7 +5,7 @@
 
 #include "antialias/antialias.hpp"
 #include "antialias/colour_distance.hpp"
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 SampleLattice::SampleLattice(Sampler& sampler, int width, int height, int units, int threads)

@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "io/scene_file.hpp"
+#include "io/scene/scene_file.hpp"
 
 namespace raycat::app {
 

@@ -10,14 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
-#include "io/glb_file.hpp"
-#include "io/input_file.hpp"
-#include "io/obj_file.hpp"
-#include "io/object_mesh.hpp"
-#include "io/output_file.hpp"
-#include "io/ply_file.hpp"
-#include "io/pov_file.hpp"
-#include "io/stl_file.hpp"
+#include "io/export/glb_file.hpp"
+#include "io/export/obj_file.hpp"
+#include "io/export/object_mesh.hpp"
+#include "io/export/ply_file.hpp"
+#include "io/export/stl_file.hpp"
+#include "io/files/input_file.hpp"
+#include "io/files/output_file.hpp"
+#include "io/povray/file.hpp"
 
 namespace raycat::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/command.hpp"
 #include "app/report.hpp"
-#include "io/closed_scene.hpp"
+#include "io/scene/closed_scene.hpp"
 
 namespace raycat::app {
 namespace {

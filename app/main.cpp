@@ -11,6 +11,8 @@
 
 #include "app/command.hpp"
 #include "app/interrupt.hpp"
+#include "io/files/load_error.hpp"
+#include "io/load_scene.hpp"
 
 namespace raycat::app {
 

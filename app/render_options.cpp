@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "edges/refine.hpp"
-#include "io/image_file.hpp"
-#include "io/indexed_png.hpp"
-#include "io/layer_file.hpp"
-#include "io/output_file.hpp"
+#include "io/files/output_file.hpp"
+#include "io/images/image_file.hpp"
+#include "io/images/indexed_png.hpp"
+#include "io/images/layer_file.hpp"
 
 namespace raycat::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/command.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "io/scene_file.hpp"
+#include "io/scene/scene_file.hpp"
 #include "tracer/camera.hpp"
 
 namespace raycat::app {

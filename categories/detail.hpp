@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "categories/path_expression.hpp"
-#include "geometry/surface_table.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
+#include "raytree/surface_table.hpp"
 
 namespace raycat {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "categories/path_graph.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat::paths {
 

@@ -10,8 +10,8 @@
 #include "categories/path_error.hpp"
 #include "categories/path_names.hpp"
 #include "categories/path_syntax.hpp"
-#include "geometry/surface_table.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
+#include "raytree/surface_table.hpp"
 
 namespace raycat {
 

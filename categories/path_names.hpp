@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "categories/path_syntax.hpp"
-#include "geometry/surface_table.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
+#include "raytree/surface_table.hpp"
 
 namespace raycat::paths {
 

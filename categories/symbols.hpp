@@ -5,7 +5,7 @@
 #include <span>
 
 #include "categories/category.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat {
 

@@ -13,7 +13,7 @@
 #include "geometry/crossing.hpp"
 #include "geometry/line_clip.hpp"
 #include "geometry/ray.hpp"
-#include "geometry/surface_id.hpp"
+#include "raytree/surface_id.hpp"
 
 namespace raycat {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/placed_shape.hpp"
-#include "geometry/surface_id.hpp"
+#include "raytree/surface_id.hpp"
 
 namespace raycat {
 

@@ -7,7 +7,7 @@
 
 #include "categories/category_image.hpp"
 #include "categories/encoder.hpp"
-#include "geometry/surface_table.hpp"
+#include "raytree/surface_table.hpp"
 
 namespace raycat {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 namespace {

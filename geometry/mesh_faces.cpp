@@ -12,9 +12,9 @@
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
-#include "geometry/parallel.hpp"
 #include "geometry/raw_array.hpp"
 #include "geometry/weld.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 namespace {

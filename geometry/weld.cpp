@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "geometry/disjoint_sets.hpp"
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 namespace {

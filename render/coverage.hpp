@@ -6,8 +6,8 @@
 
 #include "antialias/antialias.hpp"
 #include "categories/detail.hpp"
-#include "geometry/surface_table.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
+#include "raytree/surface_table.hpp"
 
 namespace raycat {
 

@@ -5,7 +5,7 @@
 #include <exception>
 #include <mutex>
 
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 
 namespace raycat {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/parallel.hpp"
 #include "render/repeat_recorder.hpp"
 #include "render/textured_primitives.hpp"
-#include "tracer/row_progress.hpp"
+#include "threads/parallel.hpp"
+#include "threads/row_progress.hpp"
 
 namespace raycat {
 namespace {

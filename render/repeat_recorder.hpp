@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat {
 

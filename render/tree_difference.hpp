@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat {
 

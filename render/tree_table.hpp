@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "antialias/sampler.hpp"
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat {
 

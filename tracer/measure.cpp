@@ -5,7 +5,7 @@
 
 #include <glm/exponential.hpp>
 
-#include "geometry/parallel.hpp"
+#include "threads/parallel.hpp"
 #include "tracer/chord_estimates.hpp"
 #include "tracer/extreme_search.hpp"
 #include "tracer/object_volumes.hpp"

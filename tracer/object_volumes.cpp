@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/mesh.hpp"
+#include "geometry/joined_mesh.hpp"
 
 namespace raycat {
 namespace {
@@ -26,20 +26,14 @@ bool placed_alike(const Parts& parts) {
 }
 
 // All triangles as one mesh of one face, in the parts' own frame or in the world.
-TriangleMesh joined(const Parts& parts, bool in_world) {
-  TriangleMesh all{.face_count = 1};
+TriangleMesh one_face(const Parts& parts, bool in_world) {
+  TriangleMesh all;
   for (const MeshInstance* part : parts) {
     const TriangleMesh& mesh = part->mesh->triangles;
-    const auto first = static_cast<std::uint32_t>(all.positions.size());
-    for (const glm::dvec3& position : mesh.positions) {
-      all.positions.push_back(in_world ? part->transform.point(position) : position);
-    }
-    const bool turned = in_world && part->transform.mirrored();
-    for (const glm::uvec3& t : mesh.triangles) {
-      all.triangles.push_back(first + (turned ? glm::uvec3(t.x, t.z, t.y) : t));
-    }
+    append(all, in_world ? placed(mesh, part->transform) : mesh, 0);
   }
   all.faces.assign(all.triangles.size(), 0);
+  all.face_count = 1;
   return all;
 }
 
@@ -50,7 +44,7 @@ std::shared_ptr<const Solid> lone(Shape shape, const Affine& transform) {
 }
 
 void measure_surface(const Parts& parts, ObjectVolume& out) {
-  const TriangleMesh mesh = joined(parts, true);
+  const TriangleMesh mesh = one_face(parts, true);
   out.open_bounds = bounds(mesh);
   for (const glm::uvec3& t : mesh.triangles) {
     const glm::dvec3& corner = mesh.positions[t.x];
@@ -67,7 +61,7 @@ struct Closed {
 
 Closed close(const Parts& parts, bool in_world) {
   try {
-    return {.shape = std::make_shared<const ClosedMesh>(joined(parts, in_world))};
+    return {.shape = std::make_shared<const ClosedMesh>(one_face(parts, in_world))};
   } catch (const std::invalid_argument& error) {
     return {.problem = error.what()};
   }

@@ -8,7 +8,7 @@
 
 #include "csg/solid.hpp"
 #include "geometry/placed_shape.hpp"
-#include "geometry/surface_table.hpp"
+#include "raytree/surface_table.hpp"
 #include "tracer/camera.hpp"
 #include "tracer/light.hpp"
 #include "tracer/material.hpp"

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "raytree/ray_tree.hpp"
 #include "tracer/accel.hpp"
 #include "tracer/media.hpp"
-#include "tracer/ray_tree.hpp"
 
 namespace raycat {
 

@@ -3,10 +3,10 @@
 # cmake -DNINJA=... -DOBJECT=... -P headers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(of_node tracer/ray_tree.hpp geometry/surface_id.hpp geometry/surface_table.hpp)
+set(of_node raytree/ray_tree.hpp raytree/surface_id.hpp raytree/surface_table.hpp)
 execute_process(COMMAND ${NINJA} -t deps ${OBJECT} OUTPUT_VARIABLE used
   COMMAND_ERROR_IS_FATAL ANY)
-if(NOT used MATCHES "tracer/ray_tree.hpp")
+if(NOT used MATCHES "raytree/ray_tree.hpp")
   message(FATAL_ERROR "ninja knows no headers of ${OBJECT}:\n${used}")
 endif()
 string(REGEX MATCHALL "include/raycat/[a-z_/.]+" headers "${used}")

@@ -12,7 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "antialias/adaptive.hpp"
-#include "io/scene_file.hpp"
+#include "io/load_scene.hpp"
 #include "render/image_quality.hpp"
 #include "render/in_turns.hpp"
 #include "render/scene_sampler.hpp"

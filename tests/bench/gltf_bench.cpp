@@ -13,8 +13,8 @@
 #include <glm/geometric.hpp>
 #include <malloc.h>
 
-#include "io/input_file.hpp"
-#include "io/scene_file.hpp"
+#include "io/files/input_file.hpp"
+#include "io/load_scene.hpp"
 #include "tests/bench/bare_embree.hpp"
 #include "tests/bench/bumpy_sphere.hpp"
 #include "tests/bench/cpu_clock.hpp"

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "io/scene_file.hpp"
+#include "io/load_scene.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/ratio_report.hpp"
 #include "tracer/measure.hpp"

@@ -8,8 +8,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "io/pov_file.hpp"
-#include "io/scene_file.hpp"
+#include "io/load_scene.hpp"
+#include "io/povray/file.hpp"
 #include "render/render.hpp"
 #include "tests/bench/cpu_clock.hpp"
 #include "tests/bench/povray_time.hpp"

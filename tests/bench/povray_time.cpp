@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "io/povray_program.hpp"
+#include "io/povray/program.hpp"
 
 namespace raycat::bench {
 

@@ -6,7 +6,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "io/scene_file.hpp"
+#include "io/files/load_error.hpp"
+#include "io/load_scene.hpp"
 #include "render/render.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "io/scene_file.hpp"
+#include "io/load_scene.hpp"
 #include "tests/io/scene_text.hpp"
 #include "tracer/measure.hpp"
 

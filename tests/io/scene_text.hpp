@@ -9,7 +9,8 @@
 
 #include <unistd.h>
 
-#include "io/scene_file.hpp"
+#include "io/files/load_error.hpp"
+#include "io/load_scene.hpp"
 
 namespace raycat {
 

@@ -13,7 +13,7 @@
 #include <glm/vec2.hpp>
 
 #include "edges/edge_map.hpp"
-#include "io/scene_file.hpp"
+#include "io/load_scene.hpp"
 #include "render/render.hpp"
 #include "support/scenes.hpp"
 

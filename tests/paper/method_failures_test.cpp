@@ -12,7 +12,7 @@
 #include "categories/exact_number.hpp"
 #include "categories/recode.hpp"
 #include "edges/comparison.hpp"
-#include "io/scene_file.hpp"
+#include "io/load_scene.hpp"
 #include "render/render.hpp"
 
 namespace raycat {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 /// The trees that the paper draws, with its letters. C, B and A are surfaces, L a light.
 namespace raycat::paper {

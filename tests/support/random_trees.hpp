@@ -6,7 +6,7 @@
 
 #include <rapidcheck.h>
 
-#include "tracer/ray_tree.hpp"
+#include "raytree/ray_tree.hpp"
 
 namespace raycat {
 

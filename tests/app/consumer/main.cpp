@@ -3,7 +3,7 @@
 #include <categories/category_image.hpp>
 #include <edges/edge_map.hpp>
 #include <geometry/placed_shape.hpp>
-#include <io/scene_file.hpp>
+#include <io/load_scene.hpp>
 #include <render/render.hpp>
 
 // Uses one thing of each library: an edge between two categories, a crossing, and a scene file

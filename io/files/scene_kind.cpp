@@ -1,0 +1,46 @@
+#include "io/files/scene_kind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/files/input_file.hpp"
+
+namespace raycat {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, SceneKind>, 8> kinds{{
+    {".gltf", SceneKind::gltf},
+    {".glb", SceneKind::gltf},
+    {".csg", SceneKind::csg},
+    {".scad", SceneKind::scad},
+    {".obj", SceneKind::obj},
+    {".ply", SceneKind::ply},
+    {".stl", SceneKind::stl},
+    {".off", SceneKind::off},
+}};
+
+bool begins_as_glb(const std::filesystem::path& file) {
+  std::array<char, 4> magic{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(magic.data(), magic.size());
+  return std::string_view(magic.data(), magic.size()) == "glTF";
+}
+
+}  // namespace
+
+SceneKind scene_kind(const std::filesystem::path& file) {
+  require_regular_file(file);
+  if (begins_as_glb(file)) {
+    return SceneKind::gltf;
+  }
+  const std::string extension = lower_extension(file);
+  const auto known =
+      std::ranges::find(kinds, extension, [](const auto& kind) { return kind.first; });
+  return known == kinds.end() ? SceneKind::other : known->second;
+}
+
+}  // namespace raycat

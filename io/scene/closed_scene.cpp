@@ -1,0 +1,53 @@
+#include "io/scene/closed_scene.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "geometry/edge_uses.hpp"
+#include "geometry/weld.hpp"
+
+namespace raycat {
+namespace {
+
+bool encloses_volume(const std::vector<const MeshInstance*>& instances) {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::uvec3> triangles;
+  for (const MeshInstance* instance : instances) {
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    const TriangleMesh& from = instance->mesh->triangles;
+    for (const glm::dvec3& position : from.positions) {
+      positions.push_back(instance->transform.point(position));
+    }
+    for (const glm::uvec3& triangle : from.triangles) {
+      triangles.push_back(triangle + first);
+    }
+  }
+  const std::vector<std::uint32_t> same = weld(positions);
+  for (glm::uvec3& triangle : triangles) {
+    triangle = {same[triangle.x], same[triangle.y], same[triangle.z]};
+  }
+  bool closed = !triangles.empty();
+  EdgeUses(triangles, positions.size()).for_each([&](std::span<const std::uint32_t> uses) {
+    std::int64_t balance = 0;
+    for (const std::uint32_t half : uses) {
+      balance += half_edge_start(triangles, half) < half_edge_end(triangles, half) ? 1 : -1;
+    }
+    closed = closed && balance == 0;
+  });
+  return closed;
+}
+
+}  // namespace
+
+bool is_closed(const Scene& scene) {
+  std::map<ObjectId, std::vector<const MeshInstance*>> objects;
+  for (const MeshInstance& instance : scene.meshes) {
+    objects[scene.surfaces.object(instance.first_face)].push_back(&instance);
+  }
+  return std::ranges::all_of(objects,
+                             [](const auto& object) { return encloses_volume(object.second); });
+}
+
+}  // namespace raycat

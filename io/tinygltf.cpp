@@ -1,4 +1,0 @@
-#include <fstream>  // tinygltf writes files, and leaves this to others
-
-#define TINYGLTF_IMPLEMENTATION
-#include "io/tinygltf.hpp"
