@@ -50,13 +50,12 @@ void find_edges(const RenderOptions& options, std::span<const WantedOutput> want
   }
 }
 
-// The picture does not depend on the level of detail of the maps; its coverage does.
-void antialias_picture(const RenderOptions& options, const SceneView& view, const Camera& camera,
+// Antialiases the picture, which does not depend on the level of detail of the maps; its coverage
+// does.
+void antialias_picture(const RenderOptions& options, SceneSampler& sampler, const SceneView& view,
                        const RenderSettings& settings, Rendered& rendered) {
   const bool wants_coverage = holds(options.outputs, "--coverage");
   ProgressBar bar(options.common.scene, options.common.quiet);
-  SceneSampler sampler(view.accel(), camera, settings.width, settings.height, settings.levels,
-                       settings.threads, options.alpha ? Backdrop::transparent : Backdrop::shown);
   rendered.antialiased = antialias(sampler,
                                    {.width = settings.width,
                                     .height = settings.height,
@@ -79,6 +78,28 @@ void antialias_picture(const RenderOptions& options, const SceneView& view, cons
   }
 }
 
+// Traces the picture's samples, with their categories if these are wanted. Those that antialiasing
+// will want too are kept by `sampler`.
+void trace_samples(const RenderOptions& options, const SceneView& view, const Camera& camera,
+                   RenderSettings settings, std::optional<SceneSampler>& sampler,
+                   Rendered& rendered) {
+  const bool antialiased = antialiasing(options).has_value();
+  const bool categorized = antialiased ? wants_categories(options) : options.method.has_value();
+  if (antialiased) {
+    sampler.emplace(view.accel(), camera, settings.width, settings.height, settings.levels,
+                    settings.threads, options.alpha ? Backdrop::transparent : Backdrop::shown,
+                    categorized);
+  }
+  ProgressBar bar(options.common.scene, options.common.quiet);
+  settings.progress = bar.callback();
+  if (categorized) {
+    rendered.categorized =
+        raycat::render(view.accel(), camera, settings, sampler ? &*sampler : nullptr);
+  } else if (!antialiased) {
+    rendered.colour = render_colour(view.accel(), camera, settings, rendered.rays);
+  }
+}
+
 void render(const RenderOptions& options, const CLI::App& command) {
   const ImageSize size = parse_size(options.view.size);
   require_outputs(options, size);
@@ -92,26 +113,19 @@ void render(const RenderOptions& options, const CLI::App& command) {
     warn(file.warnings);
   }
   const SceneView view(std::move(file), camera);
-  RenderSettings settings = settings_of(options, size, view.scene());
+  const RenderSettings settings = settings_of(options, size, view.scene());
   seconds.build = watch.lap();
 
   Rendered rendered;
-  {
-    ProgressBar bar(options.common.scene, options.common.quiet);
-    settings.progress = bar.callback();
-    if (antialiasing(options) ? wants_categories(options) : options.method.has_value()) {
-      rendered.categorized = view.render(settings);
-    } else if (!antialiasing(options)) {
-      rendered.colour = render_colour(view.accel(), camera, settings, rendered.rays);
-    }
-  }
+  std::optional<SceneSampler> sampler;
+  trace_samples(options, view, camera, settings, sampler, rendered);
   seconds.trace = watch.lap();
   if (rendered.categorized) {
     find_edges(options, wanted, view, camera, settings, rendered);
   }
   seconds.edges = watch.lap();
-  if (antialiasing(options)) {
-    antialias_picture(options, view, camera, settings, rendered);
+  if (sampler) {
+    antialias_picture(options, *sampler, view, settings, rendered);
   }
   seconds.antialias = watch.lap();
 

@@ -2,6 +2,7 @@
 
 #include <glm/gtx/component_wise.hpp>
 
+#include "io/files/input_file.hpp"
 #include "io/files/load_error.hpp"
 #include "io/files/scene_kind.hpp"
 #include "io/gltf/reader.hpp"
@@ -46,6 +47,7 @@ SceneFile read(const std::filesystem::path& file, SceneKind kind, const LoadOpti
 }  // namespace
 
 SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  require_regular_file(file);
   return read(file, scene_kind(file), options);
 }
 

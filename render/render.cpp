@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/repeat_recorder.hpp"
+#include "render/scene_sampler.hpp"
 #include "render/textured_primitives.hpp"
 #include "threads/parallel.hpp"
 #include "threads/row_progress.hpp"
@@ -31,6 +32,7 @@ struct Sample {
   glm::vec3 colour;
   CategoryId category;  // in the worker's own table
   bool textured;
+  bool repeats;  // is the tree that of the worker's sample before?
 };
 
 // Makes categories on one thread.
@@ -39,11 +41,15 @@ class Worker {
   Sample sample(const Plan& plan, const Ray& ray) {
     recorder_.start();
     const glm::vec3 colour = trace(plan.accel, ray, plan.settings.levels, recorder_, scratch_);
-    if (!recorder_.repeats() || !known_) {
+    const bool repeats = recorder_.repeats() && known_;
+    if (!repeats) {
       categorize(plan);
     }
-    return {.colour = colour, .category = category_, .textured = textured_};
+    return {.colour = colour, .category = category_, .textured = textured_, .repeats = repeats};
   }
+
+  // Of the last sample.
+  const RayTree& tree() const { return recorder_.tree(); }
 
   const CategoryTable& table() const { return table_; }
   const RayCounts& rays() const { return scratch_.rays; }
@@ -105,7 +111,8 @@ Extent extent(const Scene& scene, const Detail& detail, int levels) {
           .surfaces = scene.surfaces.count(detail.ids) + (detail.paths ? 1 : 0)};
 }
 
-Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings) {
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+                 SceneSampler* keeper) {
   const int columns = settings.width + 1;
   const int rows = settings.height + 1;
   Rendering result{.colour = Image(settings.width, settings.height)};
@@ -134,6 +141,9 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
         result.colour.pixels[result.colour.index(x, y)] = sample.colour;
       }
       categories.samples[next] = sample.category;
+      if (keeper != nullptr) {
+        keeper->keep(next, sample.colour, worker.tree(), sample.repeats, w);
+      }
       if (sample.textured) {
         categories.textured[next] = 1;
       }

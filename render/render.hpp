@@ -39,9 +39,13 @@ struct Rendering {
 /// What encoders must hold for a scene at a level of detail.
 Extent extent(const Scene& scene, const Detail& detail, int levels);
 
+class SceneSampler;
+
 /// Renders the image and the categories of its samples in one pass. The result does not depend
-/// on the number of threads.
-Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings);
+/// on the number of threads. `keeper`, if there is one, is of the same scene, camera, size and
+/// levels, and keeps all samples, so that antialiasing does not trace them again.
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+                 SceneSampler* keeper = nullptr);
 
 /// Renders the image alone, recording nothing. One camera ray a pixel.
 Image render_colour(const Accel& accel, const Camera& camera, const RenderSettings& settings,

@@ -1,6 +1,7 @@
 #include "render/scene_sampler.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 
@@ -11,7 +12,7 @@
 namespace raycat {
 
 SceneSampler::SceneSampler(const Accel& accel, const Camera& camera, int width, int height,
-                           int levels, int threads, Backdrop backdrop)
+                           int levels, int threads, Backdrop backdrop, bool keeps)
     : accel_(accel),
       camera_(camera),
       width_(width),
@@ -20,26 +21,64 @@ SceneSampler::SceneSampler(const Accel& accel, const Camera& camera, int width, 
       levels_(levels),
       backdrop_(backdrop),
       textured_(textured_primitives(accel.scene())),
-      workers_(static_cast<std::size_t>(threads)) {}
+      workers_(static_cast<std::size_t>(threads)),
+      kept_(keeps ? (static_cast<std::size_t>(width) + 1) * (static_cast<std::size_t>(height) + 1)
+                  : 0) {}
+
+SceneSampler::Met SceneSampler::meet(const RayTree& tree) {
+  const SurfaceTable& surfaces = accel_.scene().surfaces;
+  return {.tree = trees_.intern(tree),
+          .textured =
+              !textured_.empty() &&
+              std::ranges::any_of(
+                  tree,
+                  [&](const RayNode& node) {
+                    return textured_[static_cast<std::size_t>(surfaces.primitive(node.surface))];
+                  }),
+          .background = tree.empty()};
+}
+
+ColourSample SceneSampler::sample_of(const glm::vec3& colour, const Met& met) const {
+  const bool left_out = backdrop_ == Backdrop::transparent && met.background;
+  return {.colour = left_out ? glm::vec4(0.0f) : glm::vec4(glm::clamp(colour, 0.0f, 1.0f), 1.0f),
+          .tree = met.tree,
+          .textured = met.textured};
+}
+
+void SceneSampler::keep(std::size_t place, const glm::vec3& colour, const RayTree& tree,
+                        bool repeats, int worker) {
+  std::optional<Met>& met = workers_[static_cast<std::size_t>(worker)].kept;
+  if (!met || !repeats) {
+    met = meet(tree);
+  }
+  kept_[place] = sample_of(colour, *met);
+}
+
+const ColourSample* SceneSampler::kept_at(const glm::dvec2& point) const {
+  if (kept_.empty()) {
+    return nullptr;
+  }
+  const double x = point.x - ImagePlane::to_centre;
+  const double y = point.y - ImagePlane::to_centre;
+  const bool on_lattice = x == std::floor(x) && y == std::floor(y) && x >= 0.0 && y >= 0.0 &&
+                          x <= width_ && y <= height_;
+  return on_lattice ? &kept_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(width_) + 1) +
+                             static_cast<std::size_t>(x)]
+                    : nullptr;
+}
 
 ColourSample SceneSampler::sample(const glm::dvec2& point, int worker) {
+  if (const ColourSample* kept = kept_at(point)) {
+    return *kept;
+  }
   Worker& at = workers_[static_cast<std::size_t>(worker)];
   at.recorder.start();
   const glm::vec3 colour =
       trace(accel_, plane_.ray(point.x, point.y), levels_, at.recorder, at.scratch);
-  if (!at.recorder.repeats() || !at.known) {
-    const SurfaceTable& surfaces = accel_.scene().surfaces;
-    at.tree = trees_.intern(at.recorder.tree());
-    at.textured =
-        !textured_.empty() && std::ranges::any_of(at.recorder.tree(), [&](const RayNode& node) {
-          return textured_[static_cast<std::size_t>(surfaces.primitive(node.surface))];
-        });
-    at.known = true;
+  if (!at.recorder.repeats() || !at.met) {
+    at.met = meet(at.recorder.tree());
   }
-  const bool left_out = backdrop_ == Backdrop::transparent && at.recorder.tree().empty();
-  return {.colour = left_out ? glm::vec4(0.0f) : glm::vec4(glm::clamp(colour, 0.0f, 1.0f), 1.0f),
-          .tree = at.tree,
-          .textured = at.textured};
+  return sample_of(colour, *at.met);
 }
 
 // By at most a quarter of the rays of a whole tree: what tells less about a point than its colour

@@ -16,14 +16,19 @@ enum class Backdrop { shown, transparent };
 /// Samples a scene through a camera. Categories are those of whole trees.
 class SceneSampler : public Sampler {
  public:
-  /// Keeps a reference to the accelerator.
+  /// Keeps a reference to the accelerator. With `keeps` there is room for the samples of `render`.
   SceneSampler(const Accel& accel, const Camera& camera, int width, int height, int levels,
-               int threads, Backdrop backdrop = Backdrop::shown);
+               int threads, Backdrop backdrop = Backdrop::shown, bool keeps = false);
 
   ColourSample sample(const glm::dvec2& point, int worker) override;
   std::optional<TreeId> side(const glm::dvec2& point, TreeId a, TreeId b, int worker) override;
   bool tells_cheaply(TreeId a, TreeId b) override;
   void thin(const std::function<void(const glm::dvec2&)>& visit) const override;
+
+  /// Keeps the sample that `render` has taken for a place of its lattice, row by row, so that it is
+  /// not traced again. `repeats`: is its tree that of the worker's sample before?
+  void keep(std::size_t place, const glm::vec3& colour, const RayTree& tree, bool repeats,
+            int worker);
 
   const RayTree& tree(TreeId id) const { return trees_.tree(id); }
 
@@ -31,13 +36,22 @@ class SceneSampler : public Sampler {
   RayCounts rays() const;
 
  private:
+  // What is the same for all samples of one tree.
+  struct Met {
+    TreeId tree{};
+    bool textured = false;
+    bool background = false;
+  };
   struct alignas(64) Worker {
     TraceScratch scratch;
     RepeatRecorder recorder;
-    bool known = false;  // is there a tree before?
-    TreeId tree{};
-    bool textured = false;
+    std::optional<Met> met;   // by the recorder's tree
+    std::optional<Met> kept;  // by that of the sample kept last
   };
+
+  Met meet(const RayTree& tree);
+  ColourSample sample_of(const glm::vec3& colour, const Met& met) const;
+  const ColourSample* kept_at(const glm::dvec2& point) const;
 
   const Accel& accel_;
   Camera camera_;
@@ -49,6 +63,7 @@ class SceneSampler : public Sampler {
   std::vector<bool> textured_;  // by primitive; empty if none is
   TreeTable trees_;
   std::vector<Worker> workers_;
+  std::vector<ColourSample> kept_;  // by place; empty if none are
 };
 
 }  // namespace raycat

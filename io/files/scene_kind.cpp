@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -23,7 +24,12 @@ constexpr std::array<std::pair<std::string_view, SceneKind>, 8> kinds{{
     {".off", SceneKind::off},
 }};
 
+// What is no regular file is not opened, which could take forever.
 bool begins_as_glb(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    return false;
+  }
   std::array<char, 4> magic{};
   std::ifstream in(file, std::ios::binary);
   in.read(magic.data(), magic.size());
@@ -33,7 +39,6 @@ bool begins_as_glb(const std::filesystem::path& file) {
 }  // namespace
 
 SceneKind scene_kind(const std::filesystem::path& file) {
-  require_regular_file(file);
   if (begins_as_glb(file)) {
     return SceneKind::gltf;
   }

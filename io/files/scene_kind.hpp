@@ -8,7 +8,7 @@ namespace raycat {
 enum class SceneKind { gltf, csg, scad, obj, ply, stl, off, other };
 
 /// The kind of `file`, told by its extension, or of a GLB by its first bytes. Whoever is handed the
-/// kind does not ask again. Throws `LoadError` unless it is a regular file.
+/// kind does not ask again.
 SceneKind scene_kind(const std::filesystem::path& file);
 
 }  // namespace raycat

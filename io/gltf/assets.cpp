@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/files/excerpt.hpp"
+#include "io/files/input_file.hpp"
 #include "io/files/load_error.hpp"
 #include "io/gltf/scene.hpp"
 #include "io/gltf/uri.hpp"
@@ -43,6 +44,7 @@ std::shared_ptr<const SceneFile> GltfAssets::load(const GltfDocument& document, 
   if (loading_.size() == max_nesting) {
     fail(fmt::format("is nested more than {} files deep", max_nesting));
   }
+  require_regular_file(file);
   // By content too: a GLB of another name could else place itself unseen.
   const SceneKind kind = scene_kind(file);
   if (asset.node && kind != SceneKind::gltf) {

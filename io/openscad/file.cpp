@@ -37,15 +37,15 @@ std::optional<Primitive> import(Context& context, const Node& node) {
   const Parameters parameters(context, node, {"file", "layer", "convexity"},
                               {"origin", "scale", "filename", "center", "dpi", "id"});
   const std::filesystem::path file = file_of(context, parameters);
+  const SceneKind kind = scene_kind(file);
+  if (kind != SceneKind::stl && kind != SceneKind::off && kind != SceneKind::obj) {
+    parameters.fail(fmt::format("reads .stl, .off and .obj, not '{}'", excerpt(file.string())));
+  }
   try {
-    const SceneKind kind = scene_kind(file);
-    if (kind == SceneKind::stl || kind == SceneKind::off || kind == SceneKind::obj) {
-      return solid_with_faces(context, node, read_mesh_file(file, kind));
-    }
+    return solid_with_faces(context, node, read_mesh_file(file, kind));
   } catch (const LoadError& error) {
     parameters.fail(error.what());
   }
-  parameters.fail(fmt::format("reads .stl, .off and .obj, not '{}'", excerpt(file.string())));
 }
 
 std::optional<Primitive> surface(Context& context, const Node& node) {

@@ -104,6 +104,31 @@ TEST_CASE("a transparent backdrop leaves out what rays see that leave at once",
   CHECK(left_out < 850);
 }
 
+TEST_CASE("samples that a render has taken are not traced again, and antialias alike",
+          "[render][antialias]") {
+  const Scene scene = mixed_scene();
+  const Accel accel(scene);
+  const RenderSettings settings{.width = 40, .height = 30, .levels = 6, .threads = 3};
+  for (const Backdrop backdrop : {Backdrop::shown, Backdrop::transparent}) {
+    SceneSampler fresh(accel, camera, 40, 30, 6, 3, backdrop);
+    SceneSampler keeper(accel, camera, 40, 30, 6, 3, backdrop, true);
+    render(accel, camera, settings, &keeper);
+    for (const int side : {1, 3}) {
+      const auto picture = [&](SceneSampler& sampler) {
+        return antialias_uniformly(sampler, {.width = 40, .height = 30, .threads = 3}, side).colour;
+      };
+      const std::uint64_t before = keeper.rays().camera;
+      CHECK((picture(keeper) == picture(fresh)));
+      CHECK(keeper.rays().camera - before ==
+            static_cast<std::uint64_t>(40 * 30 * (side * side - 1)));
+    }
+    const auto adaptive = [&](SceneSampler& sampler) {
+      return antialias_adaptively(sampler, {.width = 40, .height = 30, .threads = 3}, {}).colour;
+    };
+    CHECK((adaptive(keeper) == adaptive(fresh)));
+  }
+}
+
 TEST_CASE("a scene is antialiased alike whatever the number of threads", "[render][antialias]") {
   const Scene scene = mixed_scene();
   const Accel accel(scene);

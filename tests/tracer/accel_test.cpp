@@ -150,6 +150,27 @@ TEST_CASE("light is weakened by what it passes, and stopped by what is opaque", 
   CHECK(accel.transmittance(ray, 9.0, scratch) == glm::vec3(0.0f));
 }
 
+TEST_CASE(
+    "any number of panes weaken light, each once though both triangles of its diagonal are met",
+    "[tracer][accel]") {
+  SceneBuilder builder;
+  const MaterialId glass = builder.material({.transmission = glm::vec3(0.9f)});
+  const int panes = GENERATE(1, 15, 16, 17, 40);
+  for (int i = 0; i < panes; ++i) {
+    builder.mesh("pane", square(1.0), at(0, 0, i), glass);
+  }
+  const Scene scene = builder.take();
+  const Accel accel(scene);
+  Solid::Scratch scratch;
+  for (const double across : {-0.5, -0.25, 0.0, 0.125, 0.5}) {
+    for (const double other : {across, -across, 0.3}) {
+      const Ray ray{.origin = {across, other, -5}, .direction = {0, 0, 1}};
+      CHECK(accel.transmittance(ray, 100.0, scratch).r ==
+            Approx(std::pow(0.9, panes)).epsilon(1e-5));
+    }
+  }
+}
+
 // A box from -1 to 1 of triangles.
 SurfaceMesh box_of_triangles() {
   SurfaceMesh mesh;
