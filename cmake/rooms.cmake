@@ -53,13 +53,14 @@ set(raycat_packages_categories fmt)
 set(raycat_packages_edges glm)
 set(raycat_packages_antialias glm)
 set(raycat_packages_render fmt)
-set(raycat_packages_io draco fmt meshoptimizer nlohmann_json OpenImageIO OpenMesh PNG)
+set(raycat_packages_io draco fmt JPEG meshoptimizer nlohmann_json OpenEXR OpenMesh PNG)
 
 set(raycat_version_embree 3.13)
 
 # raycat_target_PACKAGE: what is linked of it.
 set(raycat_target_CGAL CGAL::CGAL)
-set(raycat_target_OpenImageIO OpenImageIO::OpenImageIO)
+set(raycat_target_JPEG JPEG::JPEG)
+set(raycat_target_OpenEXR OpenEXR::OpenEXR)
 set(raycat_target_OpenMesh OpenMeshCore)
 set(raycat_target_PNG PNG::PNG)
 set(raycat_target_Threads Threads::Threads)
