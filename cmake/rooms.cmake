@@ -3,7 +3,7 @@
 
 # The rooms, which are folders, each after those that it uses. A folder at the top is a library of
 # that name with all its rooms, but for app, which is the program.
-set(raycat_rooms raytree threads geometry csg modelling tracer categories edges antialias render
+set(raycat_rooms raytree threads dynamic geometry csg modelling tracer categories edges antialias render
   io/files io/scene io/images io/meshes io/gltf io/openscad io/povray io/export io
   raycat app app/study)
 set(raycat_libraries ${raycat_rooms})
@@ -12,9 +12,10 @@ list(FILTER raycat_libraries EXCLUDE REGEX "/|^app$")
 # raycat_uses_ROOM: the rooms whose headers ROOM includes, and no others.
 set(raycat_uses_raytree)
 set(raycat_uses_threads)
+set(raycat_uses_dynamic)
 set(raycat_uses_geometry threads)
 set(raycat_uses_csg raytree geometry)
-set(raycat_uses_modelling geometry csg)
+set(raycat_uses_modelling dynamic geometry csg)
 set(raycat_uses_tracer raytree threads geometry csg)
 set(raycat_uses_categories raytree)
 set(raycat_uses_edges raytree categories)
@@ -34,18 +35,20 @@ set(raycat_uses_io io/files io/scene io/meshes io/gltf io/openscad)
 set(raycat_uses_raycat raytree io/files io/images io/scene io tracer categories edges render)
 set(raycat_uses_app raycat io/files io/scene io/images io/povray io/export io raytree geometry tracer
   categories edges antialias render)
-set(raycat_uses_app/study app raycat io/files io/images io/povray io tracer categories edges render)
+set(raycat_uses_app/study app dynamic raycat io/files io/images io/povray io tracer categories
+  edges render)
 
 # raycat_packages_LIBRARY: those that a program with it is linked with; and those of them that its
 # headers include.
 set(raycat_packages_in_headers glm Threads)
 set(raycat_packages_raytree fmt)
 set(raycat_packages_threads Threads)
+set(raycat_packages_dynamic fmt)
 set(raycat_packages_geometry glm embree fmt)
 set(raycat_packages_csg)
 set(raycat_packages_modelling fmt)
 if(RAYCAT_WITH_CGAL)
-  list(APPEND raycat_packages_modelling CGAL Fontconfig Freetype)
+  list(APPEND raycat_packages_modelling CGAL)
 endif()
 set(raycat_packages_tracer embree fmt)
 set(raycat_packages_categories fmt)
@@ -53,15 +56,14 @@ set(raycat_packages_edges glm)
 set(raycat_packages_antialias glm)
 set(raycat_packages_render fmt)
 set(raycat_packages_raycat)
-set(raycat_packages_io draco fmt meshoptimizer nlohmann_json OpenImageIO OpenMesh PNG)
+set(raycat_packages_io draco fmt JPEG meshoptimizer nlohmann_json OpenEXR OpenMesh PNG)
 
 set(raycat_version_embree 3.13)
 
 # raycat_target_PACKAGE: what is linked of it.
 set(raycat_target_CGAL CGAL::CGAL)
-set(raycat_target_Fontconfig Fontconfig::Fontconfig)
-set(raycat_target_Freetype Freetype::Freetype)
-set(raycat_target_OpenImageIO OpenImageIO::OpenImageIO)
+set(raycat_target_JPEG JPEG::JPEG)
+set(raycat_target_OpenEXR OpenEXR::OpenEXR)
 set(raycat_target_OpenMesh OpenMeshCore)
 set(raycat_target_PNG PNG::PNG)
 set(raycat_target_Threads Threads::Threads)

@@ -14,10 +14,44 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "dynamic/shared_library.hpp"
 #include "modelling/font_file.hpp"
 
 namespace raycat {
 namespace {
+
+struct FreeType {
+  SharedLibrary library{"libfreetype.so.6"};
+  decltype(FT_Init_FreeType)* start = library["FT_Init_FreeType"];
+  decltype(FT_Done_FreeType)* end = library["FT_Done_FreeType"];
+  decltype(FT_New_Face)* open = library["FT_New_Face"];
+  decltype(FT_Done_Face)* close = library["FT_Done_Face"];
+  decltype(FT_Set_Char_Size)* set_size = library["FT_Set_Char_Size"];
+  decltype(FT_Load_Glyph)* load = library["FT_Load_Glyph"];
+  decltype(FT_Outline_Decompose)* decompose = library["FT_Outline_Decompose"];
+  decltype(FT_Outline_Get_CBox)* box = library["FT_Outline_Get_CBox"];
+};
+
+struct HarfBuzz {
+  SharedLibrary library{"libharfbuzz.so.0"};
+  decltype(hb_ft_font_create)* font = library["hb_ft_font_create"];
+  decltype(hb_font_destroy)* destroy_font = library["hb_font_destroy"];
+  decltype(hb_buffer_create)* buffer = library["hb_buffer_create"];
+  decltype(hb_buffer_destroy)* destroy_buffer = library["hb_buffer_destroy"];
+  decltype(hb_buffer_add_utf8)* add = library["hb_buffer_add_utf8"];
+  decltype(hb_buffer_set_direction)* set_direction = library["hb_buffer_set_direction"];
+  decltype(hb_buffer_set_script)* set_script = library["hb_buffer_set_script"];
+  decltype(hb_buffer_set_language)* set_language = library["hb_buffer_set_language"];
+  decltype(hb_buffer_guess_segment_properties)* guess =
+      library["hb_buffer_guess_segment_properties"];
+  decltype(hb_buffer_get_direction)* direction = library["hb_buffer_get_direction"];
+  decltype(hb_buffer_get_glyph_infos)* glyphs = library["hb_buffer_get_glyph_infos"];
+  decltype(hb_buffer_get_glyph_positions)* positions = library["hb_buffer_get_glyph_positions"];
+  decltype(hb_direction_from_string)* direction_of = library["hb_direction_from_string"];
+  decltype(hb_script_from_string)* script_of = library["hb_script_from_string"];
+  decltype(hb_language_from_string)* language_of = library["hb_language_from_string"];
+  decltype(hb_shape)* shape = library["hb_shape"];
+};
 
 // OpenSCAD loads glyphs at 1562.5 points and 100 dots to the inch, in 64ths of a dot, and makes
 // 100 000 of those one unit of size. It divides what it places them by, though not the glyphs, by
@@ -29,50 +63,62 @@ constexpr double placing = 1000.0 / 1024.0;
 // A font, with all that must go when it goes.
 class Font {
  public:
-  explicit Font(const std::string& pattern) {
+  Font(const std::string& pattern, const FreeType& freetype, const HarfBuzz& harfbuzz)
+      : freetype_(freetype),
+        library_(nullptr, freetype.end),
+        face_(nullptr, freetype.close),
+        shaped_(nullptr, harfbuzz.destroy_font) {
     const FontFile file = font_file(pattern.empty() ? "Liberation Sans" : pattern);
     FT_Library library = nullptr;
     FT_Face face = nullptr;
-    if (FT_Init_FreeType(&library) != 0) {
+    if (freetype.start(&library) != 0) {
       throw std::runtime_error("FreeType does not start");
     }
     library_.reset(library);
-    if (FT_New_Face(library, file.path.c_str(), file.index, &face) != 0) {
+    if (freetype.open(library, file.path.c_str(), file.index, &face) != 0) {
       throw std::runtime_error(fmt::format("FreeType cannot read {}", file.path));
     }
     face_.reset(face);
-    if (FT_Set_Char_Size(face, 0, char_size, dots_per_inch, dots_per_inch) != 0) {
+    if (freetype.set_size(face, 0, char_size, dots_per_inch, dots_per_inch) != 0) {
       throw std::runtime_error(fmt::format("FreeType cannot scale {}", file.path));
     }
-    shaped_.reset(hb_ft_font_create(face, nullptr));
+    shaped_.reset(harfbuzz.font(face, nullptr));
   }
 
   hb_font_t* shaped() const { return shaped_.get(); }
 
   const FT_Outline& outline(hb_codepoint_t glyph) const {
-    if (FT_Load_Glyph(face_.get(), glyph, FT_LOAD_DEFAULT) != 0 ||
+    if (freetype_.load(face_.get(), glyph, FT_LOAD_DEFAULT) != 0 ||
         face_->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
       throw std::runtime_error(fmt::format("a font has no outline of its glyph {}", glyph));
     }
     return face_->glyph->outline;
   }
 
+  FT_BBox box(hb_codepoint_t glyph) const {
+    FT_BBox box;
+    freetype_.box(&outline(glyph), &box);
+    return box;
+  }
+
  private:
-  std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)> library_{nullptr, &FT_Done_FreeType};
-  std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)> face_{nullptr, &FT_Done_Face};
-  std::unique_ptr<hb_font_t, decltype(&hb_font_destroy)> shaped_{nullptr, &hb_font_destroy};
+  const FreeType& freetype_;
+  std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)> library_;
+  std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)> face_;
+  std::unique_ptr<hb_font_t, decltype(&hb_font_destroy)> shaped_;
 };
 
 using Buffer = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
 
-Buffer shape(const std::string& text, const TextStyle& style, const Font& font) {
-  Buffer buffer(hb_buffer_create(), &hb_buffer_destroy);
-  hb_buffer_add_utf8(buffer.get(), text.c_str(), static_cast<int>(text.size()), 0, -1);
-  hb_buffer_set_direction(buffer.get(), hb_direction_from_string(style.direction.c_str(), -1));
-  hb_buffer_set_script(buffer.get(), hb_script_from_string(style.script.c_str(), -1));
-  hb_buffer_set_language(buffer.get(), hb_language_from_string(style.language.c_str(), -1));
-  hb_buffer_guess_segment_properties(buffer.get());
-  hb_shape(font.shaped(), buffer.get(), nullptr, 0);
+Buffer shape(const std::string& text, const TextStyle& style, const Font& font,
+             const HarfBuzz& harfbuzz) {
+  Buffer buffer(harfbuzz.buffer(), harfbuzz.destroy_buffer);
+  harfbuzz.add(buffer.get(), text.c_str(), static_cast<int>(text.size()), 0, -1);
+  harfbuzz.set_direction(buffer.get(), harfbuzz.direction_of(style.direction.c_str(), -1));
+  harfbuzz.set_script(buffer.get(), harfbuzz.script_of(style.script.c_str(), -1));
+  harfbuzz.set_language(buffer.get(), harfbuzz.language_of(style.language.c_str(), -1));
+  harfbuzz.guess(buffer.get());
+  harfbuzz.shape(font.shaped(), buffer.get(), nullptr, 0);
   return buffer;
 }
 
@@ -83,7 +129,7 @@ glm::dvec2 point(const FT_Vector& v) {
 // The contours of a glyph in 64ths of a dot, each curve in as many pieces.
 class Tracer {
  public:
-  explicit Tracer(std::uint32_t pieces) : pieces_(pieces) {}
+  Tracer(std::uint32_t pieces, const FreeType& freetype) : pieces_(pieces), freetype_(freetype) {}
 
   std::vector<Contour> trace(const FT_Outline& outline) {
     contours_.clear();
@@ -117,7 +163,7 @@ class Tracer {
       return 0;
     };
     FT_Outline copy = outline;  // FreeType reads it alone, but asks for one it could write
-    if (FT_Outline_Decompose(&copy, &steps, this) != 0) {
+    if (freetype_.decompose(&copy, &steps, this) != 0) {
       throw std::runtime_error("a font has an outline that is no outline");
     }
     return std::move(contours_);
@@ -134,6 +180,7 @@ class Tracer {
   }
 
   std::uint32_t pieces_;
+  const FreeType& freetype_;
   std::vector<Contour> contours_;
 };
 
@@ -144,9 +191,7 @@ struct Extent {
   double ascent = 0.0;
   double descent = 0.0;
 
-  void include(const FT_Outline& outline, const glm::dvec2& advance, bool horizontal) {
-    FT_BBox box;
-    FT_Outline_Get_CBox(&outline, &box);
+  void include(const FT_BBox& box, const glm::dvec2& advance, bool horizontal) {
     const auto down = [](FT_Pos v) { return static_cast<double>(v & ~FT_Pos{63}); };
     const auto up = [](FT_Pos v) { return static_cast<double>((v + 63) & ~FT_Pos{63}); };
     if (horizontal) {
@@ -176,11 +221,12 @@ struct Placed {
   glm::dvec2 origin;
 };
 
-std::vector<Placed> place(hb_buffer_t* buffer, const TextStyle& style, const Font& font) {
+std::vector<Placed> place(hb_buffer_t* buffer, const TextStyle& style, const Font& font,
+                          const HarfBuzz& harfbuzz) {
   unsigned count = 0;
-  const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
-  const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer, &count);
-  const bool horizontal = HB_DIRECTION_IS_HORIZONTAL(hb_buffer_get_direction(buffer));
+  const hb_glyph_info_t* infos = harfbuzz.glyphs(buffer, &count);
+  const hb_glyph_position_t* positions = harfbuzz.positions(buffer, &count);
+  const bool horizontal = HB_DIRECTION_IS_HORIZONTAL(harfbuzz.direction(buffer));
   std::vector<Placed> out;
   Extent extent;
   glm::dvec2 pen(0.0);
@@ -188,7 +234,7 @@ std::vector<Placed> place(hb_buffer_t* buffer, const TextStyle& style, const Fon
     const hb_glyph_position_t& p = positions[i];
     const glm::dvec2 advance = style.spacing * glm::dvec2(p.x_advance, p.y_advance);
     out.push_back({infos[i].codepoint, pen + glm::dvec2(p.x_offset, p.y_offset)});
-    extent.include(font.outline(infos[i].codepoint), advance, horizontal);
+    extent.include(font.box(infos[i].codepoint), advance, horizontal);
     pen += advance;
   }
   const glm::dvec2 shift = extent.shift(style);
@@ -201,12 +247,14 @@ std::vector<Placed> place(hb_buffer_t* buffer, const TextStyle& style, const Fon
 }  // namespace
 
 Polygons text_outline(const std::string& text, const TextStyle& style) {
-  const Font font(style.font);
-  const Buffer buffer = shape(text, style, font);
+  const FreeType freetype;
+  const HarfBuzz harfbuzz;
+  const Font font(style.font, freetype, harfbuzz);
+  const Buffer buffer = shape(text, style, font, harfbuzz);
   const double scale = style.size / static_cast<double>(char_size);
-  Tracer tracer(std::max(style.facets / 8 + 1, 2U));
+  Tracer tracer(std::max(style.facets / 8 + 1, 2U), freetype);
   std::vector<Polygons> glyphs;
-  for (const Placed& placed : place(buffer.get(), style, font)) {
+  for (const Placed& placed : place(buffer.get(), style, font, harfbuzz)) {
     const Polygons glyph = even_odd(tracer.trace(font.outline(placed.glyph)));
     glyphs.push_back(transformed(glyph, {{scale, 0.0}, {0.0, scale}, scale * placed.origin}));
   }

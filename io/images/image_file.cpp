@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 #include <vector>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <glm/vec4.hpp>
 
 #include "io/files/input_file.hpp"
 #include "io/files/output_file.hpp"
-#include "io/images/attributes.hpp"
+#include "io/images/exr_file.hpp"
+#include "io/images/png_file.hpp"
 #include "tracer/srgb.hpp"
 
 namespace raycat {
@@ -22,20 +23,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The name of OpenImageIO's format for a path; empty if there is none.
-std::string_view format_of(const fs::path& path) {
+enum class Format { png, exr, ppm };
+
+std::optional<Format> format_of(const fs::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".png") {
-    return "png";
+    return Format::png;
   }
   if (extension == ".exr") {
-    return "openexr";
+    return Format::exr;
   }
   if (extension == ".ppm") {
-    return "pnm";
+    return Format::ppm;
   }
   std::error_code ignored;
-  return fs::is_character_file(path, ignored) ? "png" : "";
+  return fs::is_character_file(path, ignored) ? std::optional(Format::png) : std::nullopt;
 }
 
 std::uint8_t to_byte(float share) {
@@ -60,87 +62,65 @@ std::vector<std::uint8_t> to_bytes(const Image& image, bool alpha) {
   return bytes;
 }
 
-std::vector<glm::vec4> with_alpha(const Image& image) {
-  std::vector<glm::vec4> pixels;
-  pixels.reserve(image.pixels.size());
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    pixels.emplace_back(image.pixels[i], image.alpha[i]);
-  }
-  return pixels;
+std::vector<std::byte> png_of(const Image& image, const Provenance& provenance) {
+  const bool alpha = !image.alpha.empty();
+  const std::vector<std::uint8_t> bytes = to_bytes(image, alpha);
+  return png_file({.width = image.width,
+                   .height = image.height,
+                   .pixel = alpha ? PngPixel::rgba : PngPixel::rgb,
+                   .bytes = bytes},
+                  provenance);
 }
 
-std::string one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 0x20; }, ' ');
-  return text;
+std::vector<std::byte> exr_of(const Image& image, const Provenance& provenance) {
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  std::vector<ExrChannel> channels;
+  const auto* values = reinterpret_cast<const float*>(image.pixels.data());
+  for (const char* name : {"R", "G", "B"}) {
+    channels.push_back({.name = name, .first = values++, .stride = sizeof(glm::vec3)});
+  }
+  if (!image.alpha.empty()) {
+    channels.push_back({.name = "A", .first = image.alpha.data()});
+  }
+  return exr_file(image.width, image.height, channels, provenance);
 }
 
-// OpenImageIO writes no comments into PPM files, so they are put behind the magic number.
-void add_comments(std::vector<unsigned char>& file, const Provenance& from) {
-  std::string comments =
-      fmt::format("# {}\n# scene {}\n", one_line(from.command), one_line(from.scene));
-  if (!from.legend.empty()) {
-    comments += fmt::format("# {}\n", one_line(from.legend));
+std::vector<std::byte> ppm_of(const Image& image, const Provenance& provenance) {
+  std::string header = "P6\n";
+  for (const auto& [keyword, text] : provenance_texts(provenance, "scene")) {
+    header += fmt::format("# {}\n", text);
   }
-  file.insert(file.begin() + 3, comments.begin(), comments.end());
+  header += fmt::format("{} {}\n255\n", image.width, image.height);
+  const std::vector<std::uint8_t> pixels = to_bytes(image, false);
+  std::vector<std::byte> file(header.size() + pixels.size());
+  std::ranges::copy(std::as_bytes(std::span(header)), file.begin());
+  std::ranges::copy(std::as_bytes(std::span(pixels)),
+                    file.begin() + static_cast<std::ptrdiff_t>(header.size()));
+  return file;
 }
 
 }  // namespace
 
-void describe(const Provenance& provenance, bool linear, OIIO::ImageSpec& spec) {
-  spec.attribute("oiio:ColorSpace", linear ? "linear" : "sRGB");
-  spec.attribute("Software", one_line(provenance.command));
-  spec.attribute("ImageDescription", one_line(fmt::format("scene {}", provenance.scene)));
-  if (!provenance.legend.empty()) {
-    spec.attribute("Legend", one_line(provenance.legend));
-  }
-  if (linear) {
-    spec.attribute("compression", "zip");
-    spec.attribute("DateTime", "1970:01:01 00:00:00");  // or the time of day makes files differ
-  }
-}
-
 void require_image_path(const fs::path& path) {
-  if (format_of(path).empty()) {
+  if (!format_of(path)) {
     throw std::invalid_argument(fmt::format("{}: images end in .png, .exr or .ppm", path.string()));
   }
 }
 
-bool holds_alpha(const fs::path& path) { return format_of(path) != "pnm"; }
+bool holds_alpha(const fs::path& path) { return format_of(path) != Format::ppm; }
 
 void write_image(const fs::path& path, const Image& image, const Provenance& provenance) {
   require_image_path(path);
-  const std::string format(format_of(path));
-  const bool linear = format == "openexr";
-  const auto output = OIIO::ImageOutput::create(format);
-  if (!output) {
-    throw std::runtime_error(fmt::format("{}: OpenImageIO cannot write {}", path.string(), format));
+  const Format format = *format_of(path);
+  std::vector<std::byte> file;
+  try {
+    file = format == Format::png   ? png_of(image, provenance)
+           : format == Format::exr ? exr_of(image, provenance)
+                                   : ppm_of(image, provenance);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), error.what()));
   }
-  const bool alpha = !image.alpha.empty() && holds_alpha(path);
-  OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3,
-                       linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-  describe(provenance, linear, spec);
-  if (alpha && !linear) {
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-  }
-
-  std::vector<unsigned char> file;
-  OIIO::Filesystem::IOVecOutput memory(file);
-  const std::vector<std::uint8_t> bytes =
-      linear ? std::vector<std::uint8_t>() : to_bytes(image, alpha);
-  const std::vector<glm::vec4> associated =
-      linear && alpha ? with_alpha(image) : std::vector<glm::vec4>();
-  const void* pixels = !linear ? static_cast<const void*>(bytes.data())
-                       : alpha ? static_cast<const void*>(associated.data())
-                               : image.pixels.data();
-  if (!output->set_ioproxy(&memory) || !output->open("image." + format, spec) ||
-      !output->write_image(spec.format, pixels) || !output->close()) {
-    throw std::runtime_error(fmt::format("{}: {}", path.string(), output->geterror()));
-  }
-  if (format == "pnm") {
-    add_comments(file, provenance);
-  }
-  write_file(path, std::as_bytes(std::span(file)));
+  write_file(path, file);
 }
 
 }  // namespace raycat

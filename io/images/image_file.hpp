@@ -1,19 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
+#include "io/images/provenance.hpp"
 #include "tracer/image.hpp"
 
 namespace raycat {
-
-/// Where an image comes from, written into the file: as text chunks in PNG, attributes in EXR,
-/// comments in PPM.
-struct Provenance {
-  std::string command;  ///< that makes it again
-  std::string scene;    ///< the scene file
-  std::string legend;   ///< what colours mean, where it needs saying
-};
 
 /// Throws `std::invalid_argument` unless `path` names a kind of image that can be written: it
 /// ends in .png, .exr or .ppm, or is a device, which is sent PNG.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/images/image_file.hpp"
+#include "io/images/provenance.hpp"
 
 namespace raycat {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/images/image_file.hpp"
+#include "io/images/provenance.hpp"
 
 namespace raycat {
 

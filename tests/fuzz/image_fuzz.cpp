@@ -1,4 +1,4 @@
-// Images as textures, PNG and JPEG, and PNGs as OpenSCAD's height maps.
+// Images as textures, PNG, JPEG and WebP, and PNGs as OpenSCAD's height maps.
 
 #include <cstddef>
 #include <cstdint>

@@ -7,9 +7,10 @@
 #include <limits>
 #include <sstream>
 
-#include <OpenImageIO/imageio.h>
 #include <catch2/catch.hpp>
 #include <unistd.h>
+
+#include "support/png_pixels.hpp"
 
 namespace raycat {
 namespace {
@@ -90,13 +91,10 @@ struct Pixels {
 Pixels drawn(const Plot& plot) {
   const fs::path path = temporary("ink.png");
   write_plot(path, plot);
-  const auto input = OIIO::ImageInput::open(path.string());
-  REQUIRE(input);
-  Pixels pixels{.width = input->spec().width, .height = input->spec().height, .bytes = {}};
-  pixels.bytes.resize(3 * static_cast<std::size_t>(pixels.width * pixels.height));
-  REQUIRE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, pixels.bytes.data()));
+  PngPixels png = png_pixels(path);
+  REQUIRE_FALSE(png.alpha);
   fs::remove(path);
-  return pixels;
+  return {.width = png.width, .height = png.height, .bytes = std::move(png.bytes)};
 }
 
 constexpr int legend = 560;  // rows of the legend begin below
