@@ -26,7 +26,7 @@ void add_detail(CLI::App& command, DetailOptions& options) {
       ->type_name("on|off");
   command
       .add_option("--min-weight", options.detail.min_weight,
-                  "Categories drop nodes that count for less than this in the pixel")
+                  "Categories drop nodes that can only count for less than this in the pixel")
       ->type_name("W")
       ->check(number_in(0.0, 1.0));
   command

@@ -10,7 +10,7 @@
 namespace raycat {
 
 /// A CSG tree cut into heavy paths, for following the root's value while leaves change sides one
-/// by one, in O(log N) paths a change however deep the tree is (DESIGN 7).
+/// by one, in O(log N) paths a change however deep the tree is (docs/design.md, Rays through CSG).
 ///
 /// Complements are pushed down to the leaves: every inner node is then true when any (a union), or
 /// when all (an intersection), of its operands are, and a subtracted leaf is true on its outside. A

@@ -15,7 +15,8 @@ namespace raycat {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double relative_tolerance = 1e-7;  // of the half diagonal (DESIGN 7)
+// Of the half diagonal (docs/design.md, Coincident surfaces).
+constexpr double relative_tolerance = 1e-7;
 
 // Around where a leaf matters, in tolerances, so that no group reaches from a crossing left out to
 // one that is not.

@@ -29,13 +29,14 @@ struct Boundary {
 
 /// The boundary of a CSG tree, for rays. A lone shape is a tree of one leaf.
 ///
-/// Evaluated by events on the whole line (DESIGN 7): the crossings of all leaves that the line
-/// comes by where they matter are sorted and those within `tolerance` of a group's first are taken
-/// as one point; the leaves they belong to change sides, the change goes up the tree, and where the
-/// root changes a boundary is reported. Coincident faces therefore leave no skin. Of the leaves in
-/// a group, those are responsible that changed across the group together with all their ancestors;
-/// the boundary is the one with the least (is subtracted, surface id) among them, whatever the
-/// operands' order.
+/// Evaluated by events on the whole line (docs/design.md, Rays through CSG): the crossings of all
+/// leaves that the line comes by where they matter are sorted and those within the tolerance of a
+/// group's first are taken as one point; the leaves they belong to change sides, the change goes up
+/// the tree, and where the root changes a boundary is reported. Coincident faces therefore leave no
+/// skin, and what is thinner than the tolerance along the line is not met (Coincident surfaces). Of
+/// the leaves in a group, those are responsible that changed across the group together with all
+/// their ancestors; the boundary is the one with the least (is subtracted, surface id) among them,
+/// whatever the operands' order.
 class Solid {
  public:
   /// Buffers that a thread reuses from ray to ray, for any solids.

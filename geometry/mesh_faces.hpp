@@ -13,7 +13,7 @@ namespace raycat {
 
 /// How triangles join into faces.
 struct FaceRule {
-  double crease = 0.5235987755982988;        ///< radians; 30 degrees (DESIGN 5)
+  double crease = 0.5235987755982988;        ///< radians; 30 degrees (docs/design.md, Ids)
   double same_normal = 0.08726646259971647;  ///< radians; authored normals within 5 degrees
 };
 

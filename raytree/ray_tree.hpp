@@ -32,8 +32,9 @@ struct RayNode {
   SurfaceId surface{};
 
   /// The most this node's colour can count for in the pixel: the product of the k_s and k_t on
-  /// the way to it, greatest channel. Factors only, so that it does not vary over a surface.
-  /// Not part of the category: it is for `reduce`.
+  /// the way to it, greatest channel. Factors only, so that it does not vary over a surface: of
+  /// Fresnel's reflection, what it is at normal incidence. Not part of the category: it is for
+  /// `reduce`.
   float weight = 1.0f;
 
   /// Are these the same node of a category?

@@ -26,8 +26,8 @@ struct Hit {
 };
 
 /// Finds what rays hit: one Embree scene of triangles, met again in double precision, and of
-/// solids, evaluated in double (DESIGN 8). Unbounded solids are tried one by one. Holds a
-/// reference to the scene.
+/// solids, evaluated in double (docs/design.md, Meshes). Unbounded solids are tried one by one.
+/// Holds a reference to the scene.
 class Accel {
  public:
   explicit Accel(const Scene& scene);

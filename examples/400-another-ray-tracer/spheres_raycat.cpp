@@ -13,8 +13,8 @@
 
 #include <raycat/categories/category_image.hpp>
 #include <raycat/categories/encoder.hpp>
-#include <raycat/categories/listing.hpp>
 #include <raycat/edges/edge_map.hpp>
+#include <raycat/raytree/listing.hpp>
 
 struct Vec {
   double x, y, z;

@@ -21,8 +21,8 @@ namespace raycat {
 /// that exists, every accessor lies within its buffer and the nodes are a forest.
 ///
 /// `model` is tinygltf's and holds what glTF 2.0 itself defines, apart from the buffers' bytes and
-/// the images: those are ours, since tinygltf reads both without checks (DESIGN 9). Extensions
-/// and extras are read from `json`.
+/// the images: those are ours, since tinygltf reads both without checks. Extensions and extras
+/// are read from `json`.
 struct GltfDocument {
   std::filesystem::path file;
   nlohmann::json json;

@@ -16,7 +16,8 @@ namespace raycat {
 /// Which material the surfaces get that a subtraction leaves.
 enum class CutMaterial { operand, base };
 
-/// What raycat's own keys in a node's extras say (DESIGN 4). Other keys are someone else's.
+/// What raycat's own keys in a node's extras say (docs/scene-files.md). Other keys are someone
+/// else's.
 struct NodeExtras {
   struct Asset {
     std::string uri;

@@ -37,7 +37,8 @@ struct SeenImage {
 
 inline constexpr int tile = 16;
 
-/// The yardstick of DESIGN 12: a mesh in Embree's ROBUST scene and nothing around it.
+/// The yardstick for visibility (docs/benchmarks.md): a mesh in Embree's ROBUST scene and nothing
+/// around it.
 class BareEmbree {
  public:
   explicit BareEmbree(const TriangleMesh& mesh);

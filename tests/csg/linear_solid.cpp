@@ -10,7 +10,8 @@
 namespace raycat {
 namespace {
 
-constexpr double relative_tolerance = 1e-7;  // of the half diagonal (DESIGN 7)
+// Of the half diagonal (docs/design.md, Coincident surfaces).
+constexpr double relative_tolerance = 1e-7;
 
 }  // namespace
 

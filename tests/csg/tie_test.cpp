@@ -1,4 +1,5 @@
-// Whose surface is it where several leaves are crossed at one place (DESIGN 7)?
+// Whose surface is it where several leaves are crossed at one place (docs/design.md, Coincident
+// surfaces)?
 
 #include <algorithm>
 #include <array>
@@ -105,7 +106,8 @@ TEST_CASE("a subtracted surface is reported only where no kept one is", "[csg][s
   CHECK(found[0].second == SurfaceId{0});
 }
 
-// The rule as DESIGN 7 words it, by asking what holds a point before the place and one behind it.
+// The rule as docs/design.md words it (Coincident surfaces), by asking what holds a point before
+// the place and one behind it.
 class Responsible {
  public:
   Responsible(const Model& model, const glm::dvec3& before, const glm::dvec3& after)

@@ -27,7 +27,7 @@ TEST_CASE("a lone shape is an object named for its node", "[io][gltf]") {
   CHECK(is_closed(file.scene));
 }
 
-TEST_CASE("every shape has the faces of DESIGN 5", "[io][gltf]") {
+TEST_CASE("every shape has the faces that docs/scene-files.md lists", "[io][gltf]") {
   const auto [shape, faces] = GENERATE(table<std::string, std::size_t>(
       {{R"({"type":"sphere"})", 1},
        {R"({"type":"box","size":[1,2,3]})", 6},
