@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command.hpp"
 #include "edges/refine.hpp"
 #include "io/files/output_file.hpp"
 #include "io/images/image_file.hpp"

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "app/antialias_options.hpp"
-#include "app/command.hpp"
 #include "app/detail_options.hpp"
+#include "app/options.hpp"
 #include "app/view.hpp"
 #include "categories/encoder.hpp"
 #include "render/view_as.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace raycat::app {
 
