@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 
 #include "antialias/plain_pixel.hpp"
-#include "antialias/square_smoother.hpp"
+#include "antialias/square_antialiaser.hpp"
 #include "threads/row_progress.hpp"
 
 namespace raycat {
@@ -30,7 +30,7 @@ void move(std::vector<TreeShare>& shares, const Border& border, float share) {
 
 class AdaptivePicture {
  public:
-  AdaptivePicture(Sampler& sampler, const SmoothSettings& settings,
+  AdaptivePicture(Sampler& sampler, const AntialiasSettings& settings,
                   const AdaptiveSettings& adaptive)
       : settings_(settings),
         adaptive_(adaptive),
@@ -45,11 +45,11 @@ class AdaptivePicture {
     lattice_.trace_corners(settings.threads);
   }
 
-  SmoothPicture smooth() {
+  AntialiasedPicture antialiased() {
     if (adaptive_.budget) {
       spend(*adaptive_.budget);
     } else {
-      smooth_all(adaptive_.error);
+      antialias_all(adaptive_.error);
     }
     if (settings_.filter == Filter::box) {
       bend_borders();
@@ -63,12 +63,12 @@ class AdaptivePicture {
 
  private:
   struct Pixel {
-    float allowed = 0.0f;  // the error that it was smoothed with
+    float allowed = 0.0f;  // the error that it was antialiased with
     float error = 0.0f;    // what it may be off by
     bool refined = false;
   };
 
-  void smooth_all(float error) {
+  void antialias_all(float error) {
     std::vector<std::size_t> all(pixels_.size());
     for (std::size_t pixel = 0; pixel < all.size(); ++pixel) {
       all[pixel] = pixel;
@@ -78,20 +78,21 @@ class AdaptivePicture {
     settle(std::move(all), [&] { progress.row_done(); });
   }
 
-  // Lets the error that is allowed go down from where nothing is sampled, and at each step smooths
-  // the pixels that may be off by more, the worst first, as long as there is something to spend.
+  // Lets the error that is allowed go down from where nothing is sampled, and at each step
+  // antialiases the pixels that may be off by more, the worst first, as long as there is something
+  // to spend.
   void spend(double rays_per_pixel) {
     constexpr float coarsest = 1.0f;
     constexpr float finest = 1e-5f;
     constexpr float step = 0.8f;
-    constexpr std::uint64_t most_of_a_pixel = 320;  // that is parted as often as may be
+    constexpr std::uint64_t most_of_a_pixel = 320;  // that is subdivided as often as may be
     const auto budget = static_cast<std::uint64_t>(
         std::floor(rays_per_pixel * static_cast<double>(pixels_.size())));
     const auto spent = [&] {
       const SampleCounts counts = lattice_.counts();
       return counts.colour + counts.category_only;
     };
-    smooth_all(coarsest);
+    antialias_all(coarsest);
     const std::uint64_t at_first = spent();
     std::vector<std::size_t> worst;
     for (float error = coarsest; error > finest; error *= step) {
@@ -125,8 +126,8 @@ class AdaptivePicture {
     }
   }
 
-  // Smooths pixels, in ascending order, and those again to which neighbours have put samples on the
-  // border between them.
+  // Antialiases pixels, in ascending order, and those again to which neighbours have put samples on
+  // the border between them.
   template <typename RowDone>
   void settle(std::vector<std::size_t> now, const RowDone& row_done) {
     constexpr int most_rounds = 8;
@@ -134,7 +135,7 @@ class AdaptivePicture {
       pending_[pixel] = 1;
     }
     for (int round = 0; round < most_rounds && !now.empty(); ++round) {
-      smooth_rows(now, [&] {
+      antialias_rows(now, [&] {
         if (round == 0) {
           row_done();
         }
@@ -154,7 +155,7 @@ class AdaptivePicture {
   }
 
   template <typename RowDone>
-  void smooth_rows(const std::vector<std::size_t>& now, const RowDone& row_done) {
+  void antialias_rows(const std::vector<std::size_t>& now, const RowDone& row_done) {
     const auto width = static_cast<std::size_t>(settings_.width);
     std::array<std::vector<std::span<const std::size_t>>, 2> rows;  // even and odd ones
     for (auto begin = now.begin(); begin != now.end();) {
@@ -167,11 +168,11 @@ class AdaptivePicture {
     const int threads = std::min(settings_.threads, static_cast<int>(now.size() / few) + 1);
     for (const auto& apart : rows) {
       parallel_rows(static_cast<int>(apart.size()), threads, [&](int i, int worker) {
-        SquareSmoother smoother(lattice_, thin_, adaptive_, settings_.coverage, worker);
+        SquareAntialiaser antialiaser(lattice_, thin_, adaptive_, settings_.coverage, worker);
         for (const std::size_t pixel : apart[static_cast<std::size_t>(i)]) {
           if (pending_[pixel].load(std::memory_order_relaxed) != 0) {
             pending_[pixel].store(0, std::memory_order_relaxed);  // only this row's work reads it
-            smooth_pixel(smoother, pixel, worker);
+            antialias_pixel(antialiaser, pixel, worker);
           }
         }
         row_done();
@@ -179,7 +180,7 @@ class AdaptivePicture {
     }
   }
 
-  void smooth_pixel(SquareSmoother& smoother, std::size_t number, int worker) {
+  void antialias_pixel(SquareAntialiaser& antialiaser, std::size_t number, int worker) {
     Pixel& pixel = pixels_[number];
     const auto width = static_cast<std::size_t>(settings_.width);
     const auto x = static_cast<int>(number % width);
@@ -196,7 +197,7 @@ class AdaptivePicture {
         return;
       }
     }
-    SquareSmoother::Result& result = smoother.smooth(x, y, pixel.allowed, nullptr);
+    SquareAntialiaser::Result& result = antialiaser.antialias(x, y, pixel.allowed, nullptr);
     out_.colour[number] = result.mean;
     pixel.error = result.error;
     pixel.refined = pixel.refined || result.refined;
@@ -233,16 +234,16 @@ class AdaptivePicture {
     return moved * (border.right - border.left);
   }
 
-  // Smooths all pixels once more, for what is where in them.
+  // Antialiases all pixels once more, for what is where in them.
   void filter() {
     FilteredPicture filtered(settings_.filter, settings_.width, settings_.height, Patch::side);
     each_row_apart(settings_.height, settings_.threads, [&](int y, int worker) {
-      SquareSmoother smoother(lattice_, thin_, adaptive_, false, worker);
+      SquareAntialiaser antialiaser(lattice_, thin_, adaptive_, false, worker);
       const std::size_t line = static_cast<std::size_t>(settings_.width) * Patch::side;
       std::vector<glm::vec4> cells(line * Patch::side);
       for (int x = 0; x < settings_.width; ++x) {
         Patch patch;
-        smoother.smooth(x, y, pixels_[out_.index(x, y)].allowed, &patch);
+        antialiaser.antialias(x, y, pixels_[out_.index(x, y)].allowed, &patch);
         if (borders_[static_cast<std::size_t>(y)].find(x) != nullptr) {
           patch.shift(bent(x, y));
         }
@@ -258,12 +259,12 @@ class AdaptivePicture {
     filtered.gather(settings_.threads, out_.colour);
   }
 
-  const SmoothSettings& settings_;
+  const AntialiasSettings& settings_;
   const AdaptiveSettings& adaptive_;
-  SmoothPicture out_;
+  AntialiasedPicture out_;
   SampleLattice lattice_;
   ThinPoints thin_;
-  std::vector<std::atomic<std::uint8_t>> pending_;  // is a pixel to be smoothed, maybe again?
+  std::vector<std::atomic<std::uint8_t>> pending_;  // is a pixel to be antialiased, maybe again?
   std::vector<Pixel> pixels_;
   std::vector<BorderRow> borders_;
   std::vector<std::vector<std::size_t>> noticed_;  // by worker: pixels that got something to see
@@ -271,9 +272,9 @@ class AdaptivePicture {
 
 }  // namespace
 
-SmoothPicture smooth_adaptively(Sampler& sampler, const SmoothSettings& settings,
-                                const AdaptiveSettings& adaptive) {
-  return AdaptivePicture(sampler, settings, adaptive).smooth();
+AntialiasedPicture antialias_adaptively(Sampler& sampler, const AntialiasSettings& settings,
+                                        const AdaptiveSettings& adaptive) {
+  return AdaptivePicture(sampler, settings, adaptive).antialiased();
 }
 
 }  // namespace raycat

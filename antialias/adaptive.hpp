@@ -22,9 +22,9 @@ struct AdaptiveSettings {
 /// Our own method (docs/antialiasing.md): coverage instead of averages. Where two categories meet
 /// in a square, its border is followed to where it crosses the sides, and each part has its own
 /// colour; where all is of one category, its colour is integrated as the quadratic that the samples
-/// around show. Squares that this fails for are parted in four, where it could make a difference of
-/// `error` in the pixel.
-SmoothPicture smooth_adaptively(Sampler& sampler, const SmoothSettings& settings,
-                                const AdaptiveSettings& adaptive);
+/// around show. Squares that this fails for are subdivided in four, where it could make a
+/// difference of `error` in the pixel.
+AntialiasedPicture antialias_adaptively(Sampler& sampler, const AntialiasSettings& settings,
+                                        const AdaptiveSettings& adaptive);
 
 }  // namespace raycat

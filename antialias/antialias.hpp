@@ -19,7 +19,7 @@ struct TreeShare {
 };
 
 /// Averages of a picture over its pixels, of samples as `ColourSample` has them.
-struct SmoothPicture {
+struct AntialiasedPicture {
   int width = 0;
   int height = 0;
   std::vector<glm::vec4> colour;  ///< width * height, rows from the top, alpha associated
@@ -29,7 +29,7 @@ struct SmoothPicture {
   SampleCounts samples;
   std::uint64_t refined = 0;  ///< pixels that were sampled beyond their corners
 
-  SmoothPicture(int width_in, int height_in);
+  AntialiasedPicture(int width_in, int height_in);
   std::vector<glm::vec3> without_alpha() const;
   std::size_t index(int x, int y) const noexcept {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -38,11 +38,12 @@ struct SmoothPicture {
 };
 
 /// What is the same for all methods. Results do not depend on the number of threads.
-struct SmoothSettings {
+struct AntialiasSettings {
   int width = 512;
   int height = 512;
   int threads = 1;
-  bool coverage = false;  ///< fill `SmoothPicture::coverage`, as uniform and adaptive methods can
+  bool coverage =
+      false;  ///< fill `AntialiasedPicture::coverage`, as uniform and adaptive methods can
   Filter filter = Filter::box;  ///< of the colours of these two; coverage is that of the box
 
   /// Called now and then with the rows done and their number, one call at a time.
@@ -50,7 +51,8 @@ struct SmoothSettings {
 };
 
 /// `side` by `side` samples in each pixel, at the middles of as many squares.
-SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings, int side);
+AntialiasedPicture antialias_uniformly(Sampler& sampler, const AntialiasSettings& settings,
+                                       int side);
 
 /// Which pixels deserve more than their corners: `corners` are in the order of a square's samples,
 /// left to right, top to bottom.
@@ -64,22 +66,23 @@ Selection by_category();
 
 /// Corners alone where a pixel is not selected; `side` by `side` squares of samples where it is,
 /// whose borders neighbours share. `side` is at most 255.
-SmoothPicture smooth_selected(Sampler& sampler, const SmoothSettings& settings,
-                              const Selection& selection, int side);
+AntialiasedPicture antialias_selected(Sampler& sampler, const AntialiasSettings& settings,
+                                      const Selection& selection, int side);
 
-/// Which squares of a pixel to part in four: `area` is the square's, in pixels.
-using Parting = std::function<bool(const std::array<const ColourSample*, 4>& corners, double area)>;
+/// Which squares of a pixel to subdivide in four: `area` is the square's, in pixels.
+using Subdivision =
+    std::function<bool(const std::array<const ColourSample*, 4>& corners, double area)>;
 
 /// Corners that are more than `threshold` apart: Whitted's method. `by_area` weighs the difference
 /// with the square's area, as it counts in the pixel.
-Parting part_by_colour(float threshold, bool by_area);
+Subdivision subdivide_by_colour(float threshold, bool by_area);
 
 /// Corners of several categories, or that met a textured surface.
-Parting part_by_category();
+Subdivision subdivide_by_category();
 
-/// Squares parted in four as long as `parting` says, at most `depth` times, from 0 to 6; the mean
-/// of the corners is the square's.
-SmoothPicture smooth_recursively(Sampler& sampler, const SmoothSettings& settings,
-                                 const Parting& parting, int depth);
+/// Squares subdivided in four as long as `subdivides` says, at most `depth` times, from 0 to 6; the
+/// mean of the corners is the square's.
+AntialiasedPicture antialias_recursively(Sampler& sampler, const AntialiasSettings& settings,
+                                         const Subdivision& subdivides, int depth);
 
 }  // namespace raycat

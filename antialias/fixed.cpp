@@ -20,9 +20,9 @@ bool several_categories(const Corners& corners) {
 // The picture whose pixels are what `mean(pixel, corners, worker)` makes of their squares, or their
 // corners' mean where it makes nothing.
 template <typename Refine>
-SmoothPicture over_lattice(Sampler& sampler, const SmoothSettings& settings, int units,
-                           const Refine& refine) {
-  SmoothPicture out(settings.width, settings.height);
+AntialiasedPicture over_lattice(Sampler& sampler, const AntialiasSettings& settings, int units,
+                                const Refine& refine) {
+  AntialiasedPicture out(settings.width, settings.height);
   SampleLattice lattice(sampler, settings.width, settings.height, units, settings.threads);
   lattice.trace_corners(settings.threads);
   std::atomic<std::uint64_t> refined = 0;
@@ -57,33 +57,35 @@ glm::vec4 mean_of_units(SampleLattice& lattice, const Square& pixel, int worker)
   return 1.0f / static_cast<float>(pixel.size * pixel.size) * sum;
 }
 
-// Squares in quarters, as deep as `parting` and the lattice say. A picture has no deeper recursion
-// than the lattice has levels, seven at most.
-glm::vec4 parted(SampleLattice& lattice, const Square& square, const Parting& parting, int worker) {
+// Squares in quarters, as deep as `subdivides` and the lattice say. A picture has no deeper
+// recursion than the lattice has levels, seven at most.
+glm::vec4 subdivided(SampleLattice& lattice, const Square& square, const Subdivision& subdivides,
+                     int worker) {
   const Corners corners = square.corners(lattice, worker);
   const double side = static_cast<double>(square.size) / lattice.units();
-  if (square.size == 1 || !parting(corners, side * side)) {
+  if (square.size == 1 || !subdivides(corners, side * side)) {
     return mean_of(corners);
   }
   glm::vec4 sum(0.0f);
   const int half = square.size / 2;
   for (const glm::ivec2 quarter : {glm::ivec2(0, 0), {half, 0}, {0, half}, {half, half}}) {
-    sum += parted(lattice, {.at = square.at + quarter, .size = half}, parting, worker);
+    sum += subdivided(lattice, {.at = square.at + quarter, .size = half}, subdivides, worker);
   }
   return 0.25f * sum;
 }
 
 }  // namespace
 
-SmoothPicture::SmoothPicture(int width_in, int height_in)
+AntialiasedPicture::AntialiasedPicture(int width_in, int height_in)
     : width(width_in), height(height_in), colour(index(0, height_in)) {}
 
-std::vector<glm::vec3> SmoothPicture::without_alpha() const {
+std::vector<glm::vec3> AntialiasedPicture::without_alpha() const {
   return {colour.begin(), colour.end()};
 }
 
-SmoothPicture smooth_uniformly(Sampler& sampler, const SmoothSettings& settings, int side) {
-  SmoothPicture out(settings.width, settings.height);
+AntialiasedPicture antialias_uniformly(Sampler& sampler, const AntialiasSettings& settings,
+                                       int side) {
+  AntialiasedPicture out(settings.width, settings.height);
   out.coverage.resize(settings.coverage ? out.colour.size() : 0);
   RowProgress progress(settings.progress, settings.height);
   FilteredPicture filtered(settings.filter, settings.width, settings.height, side);
@@ -117,8 +119,8 @@ Selection by_colour(float threshold) {
 
 Selection by_category() { return several_categories; }
 
-SmoothPicture smooth_selected(Sampler& sampler, const SmoothSettings& settings,
-                              const Selection& selection, int side) {
+AntialiasedPicture antialias_selected(Sampler& sampler, const AntialiasSettings& settings,
+                                      const Selection& selection, int side) {
   return over_lattice(sampler, settings, side,
                       [&](SampleLattice& lattice, const Square& pixel, const Corners& corners,
                           int worker) -> std::optional<glm::vec4> {
@@ -128,23 +130,23 @@ SmoothPicture smooth_selected(Sampler& sampler, const SmoothSettings& settings,
                       });
 }
 
-Parting part_by_colour(float threshold, bool by_area) {
+Subdivision subdivide_by_colour(float threshold, bool by_area) {
   return [threshold, by_area](const Corners& corners, double area) {
     return farthest(corners) * (by_area ? static_cast<float>(area) : 1.0f) > threshold;
   };
 }
 
-Parting part_by_category() {
+Subdivision subdivide_by_category() {
   return [](const Corners& corners, double /*area*/) { return several_categories(corners); };
 }
 
-SmoothPicture smooth_recursively(Sampler& sampler, const SmoothSettings& settings,
-                                 const Parting& parting, int depth) {
+AntialiasedPicture antialias_recursively(Sampler& sampler, const AntialiasSettings& settings,
+                                         const Subdivision& subdivides, int depth) {
   return over_lattice(sampler, settings, 1 << depth,
                       [&](SampleLattice& lattice, const Square& pixel, const Corners& corners,
                           int worker) -> std::optional<glm::vec4> {
-                        return depth > 0 && parting(corners, 1.0)
-                                   ? std::optional(parted(lattice, pixel, parting, worker))
+                        return depth > 0 && subdivides(corners, 1.0)
+                                   ? std::optional(subdivided(lattice, pixel, subdivides, worker))
                                    : std::nullopt;
                       });
 }

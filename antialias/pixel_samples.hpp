@@ -16,8 +16,8 @@ namespace raycat {
 constexpr std::array<std::size_t, 4> corner_turn{0, 1, 3, 2};
 constexpr std::array<glm::ivec2, 4> corner_place{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-/// The lattice as whoever smooths a pixel sees it: what may be off, and whether samples were needed
-/// that were not there.
+/// The lattice as whoever antialiases a pixel sees it: what may be off, and whether samples were
+/// needed that were not there.
 class PixelSamples {
  public:
   /// Keeps references.

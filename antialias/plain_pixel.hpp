@@ -16,7 +16,7 @@ struct PlainPixel {
 
 /// Most pixels are plain: nothing has been sampled in them, all corners around are of one category,
 /// and the quadratic that these tell is within `error`. Nothing if a pixel is not; then
-/// `SquareSmoother` takes it, and whatever it makes of a plain pixel is this.
+/// `SquareAntialiaser` takes it, and whatever it makes of a plain pixel is this.
 std::optional<PlainPixel> plain_pixel(const SampleLattice& lattice, int x, int y, float error);
 
 }  // namespace raycat

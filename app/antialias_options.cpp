@@ -7,22 +7,23 @@
 
 #include "antialias/adaptive.hpp"
 #include "app/command.hpp"
+#include "app/help.hpp"
 
 namespace raycat::app {
 namespace {
 
-constexpr int most_side = 64;
+constexpr int most_samples_a_side = 64;
 constexpr int default_side = 4;
 constexpr float default_threshold = 0.1f;
 
-std::string_view name(Smoothing method) {
+std::string_view name(AntialiasMethod method) {
   static constexpr std::string_view names[] = {"uniform", "threshold", "whitted", "category",
                                                "adaptive"};
   return names[static_cast<std::size_t>(method)];
 }
 
 bool halves(const AntialiasOptions& options) {
-  return options.method == Smoothing::whitted || options.recursive;
+  return options.method == AntialiasMethod::whitted || options.recursive;
 }
 
 int depth(const AntialiasOptions& options) {
@@ -32,14 +33,15 @@ int depth(const AntialiasOptions& options) {
 }  // namespace
 
 void add_antialias(CLI::App& command, AntialiasOptions& options) {
-  add_choice<std::optional<Smoothing>>(
+  start_group(command, groups::picture);
+  add_choice<std::optional<AntialiasMethod>>(
       command, "--aa", options.method,
       {{"none", std::nullopt},
-       {"uniform", Smoothing::uniform},
-       {"threshold", Smoothing::threshold},
-       {"whitted", Smoothing::whitted},
-       {"category", Smoothing::category},
-       {"adaptive", Smoothing::adaptive}},
+       {"uniform", AntialiasMethod::uniform},
+       {"threshold", AntialiasMethod::threshold},
+       {"whitted", AntialiasMethod::whitted},
+       {"category", AntialiasMethod::category},
+       {"adaptive", AntialiasMethod::adaptive}},
       "Antialiasing of the picture: none (default), uniform, threshold, whitted, category (the "
       "paper's) or adaptive (ours)")
       ->type_name("METHOD");
@@ -49,7 +51,7 @@ void add_antialias(CLI::App& command, AntialiasOptions& options) {
                               "pixel at most; {} by default",
                               default_side))
       ->type_name("N")
-      ->check(CLI::Range(1, most_side));
+      ->check(CLI::Range(1, most_samples_a_side));
   command
       .add_option("--threshold", options.threshold,
                   fmt::format("--aa threshold, whitted: how far linear colours (0 to 1) must be "
@@ -80,16 +82,17 @@ void add_antialias(CLI::App& command, AntialiasOptions& options) {
       ->type_name("FILTER");
   command.add_flag("--by-area", options.by_area,
                    "--aa whitted: weigh differences with the area that they are of");
-  command.add_flag("--recursive", options.recursive,
-                   "--aa category: part pixels in four where categories differ, again and again");
+  command.add_flag(
+      "--recursive", options.recursive,
+      "--aa category: subdivide pixels in four where categories differ, again and again");
   command.add_flag("--colour-only", options.colour_only,
                    "--aa adaptive: decide by colours alone, to see what categories add");
 }
 
 void require_antialias(const AntialiasOptions& options) {
   const auto require = [&](bool given, const char* option,
-                           std::initializer_list<Smoothing> methods) {
-    for (const Smoothing method : methods) {
+                           std::initializer_list<AntialiasMethod> methods) {
+    for (const AntialiasMethod method : methods) {
       given = given && options.method != method;
     }
     if (given) {
@@ -98,7 +101,7 @@ void require_antialias(const AntialiasOptions& options) {
                                       : fmt::format("{}: give --aa with it", option));
     }
   };
-  using enum Smoothing;
+  using enum AntialiasMethod;
   require(options.samples.has_value(), "--samples", {uniform, threshold, whitted, category});
   require(options.threshold.has_value(), "--threshold", {threshold, whitted});
   require(options.quality.has_value(), "--quality", {adaptive});
@@ -110,34 +113,35 @@ void require_antialias(const AntialiasOptions& options) {
   if (halves(options) &&
       !std::has_single_bit(static_cast<unsigned>(options.samples.value_or(default_side)))) {
     throw UsageError(
-        fmt::format("--samples {}: where pixels are parted in four it must be a power of two",
+        fmt::format("--samples {}: where pixels are subdivided in four it must be a power of two",
                     *options.samples));
   }
 }
 
-SmoothPicture smooth(Sampler& sampler, SmoothSettings settings, const AntialiasOptions& options) {
+AntialiasedPicture antialias(Sampler& sampler, AntialiasSettings settings,
+                             const AntialiasOptions& options) {
   settings.filter = options.filter.value_or(Filter::box);
   const int side = options.samples.value_or(default_side);
   const float threshold = options.threshold.value_or(default_threshold);
   switch (*options.method) {
-    case Smoothing::uniform:
-      return smooth_uniformly(sampler, settings, side);
-    case Smoothing::threshold:
-      return smooth_selected(sampler, settings, by_colour(threshold), side);
-    case Smoothing::whitted:
-      return smooth_recursively(sampler, settings, part_by_colour(threshold, options.by_area),
-                                depth(options));
-    case Smoothing::category:
+    case AntialiasMethod::uniform:
+      return antialias_uniformly(sampler, settings, side);
+    case AntialiasMethod::threshold:
+      return antialias_selected(sampler, settings, by_colour(threshold), side);
+    case AntialiasMethod::whitted:
+      return antialias_recursively(sampler, settings,
+                                   subdivide_by_colour(threshold, options.by_area), depth(options));
+    case AntialiasMethod::category:
       return options.recursive
-                 ? smooth_recursively(sampler, settings, part_by_category(), depth(options))
-                 : smooth_selected(sampler, settings, by_category(), side);
-    case Smoothing::adaptive:
+                 ? antialias_recursively(sampler, settings, subdivide_by_category(), depth(options))
+                 : antialias_selected(sampler, settings, by_category(), side);
+    case AntialiasMethod::adaptive:
       break;
   }
-  return smooth_adaptively(sampler, settings,
-                           {.error = options.quality.value_or(AdaptiveSettings().error),
-                            .budget = options.budget,
-                            .categories = !options.colour_only});
+  return antialias_adaptively(sampler, settings,
+                              {.error = options.quality.value_or(AdaptiveSettings().error),
+                               .budget = options.budget,
+                               .categories = !options.colour_only});
 }
 
 }  // namespace raycat::app

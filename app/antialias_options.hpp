@@ -10,11 +10,11 @@ class App;
 
 namespace raycat::app {
 
-enum class Smoothing { uniform, threshold, whitted, category, adaptive };
+enum class AntialiasMethod { uniform, threshold, whitted, category, adaptive };
 
 /// How a picture is to be antialiased.
 struct AntialiasOptions {
-  std::optional<Smoothing> method;
+  std::optional<AntialiasMethod> method;
   std::optional<int> samples;
   std::optional<float> threshold;
   std::optional<float> quality;
@@ -31,6 +31,7 @@ void add_antialias(CLI::App& command, AntialiasOptions& options);
 void require_antialias(const AntialiasOptions& options);
 
 /// The picture by the method, which must be there, and with the filter of the options.
-SmoothPicture smooth(Sampler& sampler, SmoothSettings settings, const AntialiasOptions& options);
+AntialiasedPicture antialias(Sampler& sampler, AntialiasSettings settings,
+                             const AntialiasOptions& options);
 
 }  // namespace raycat::app

@@ -9,6 +9,7 @@
 #include "app/progress_bar.hpp"
 #include "app/report.hpp"
 #include "app/view.hpp"
+#include "raycat/scene_view.hpp"
 
 namespace raycat::app {
 namespace {
@@ -66,18 +67,18 @@ void print_table(const MethodTable& table) {
 void compare(const CompareOptions& options) {
   const ImageSize size = parse_size(options.view.size);
   SceneFile file = load(options.common);
-  const Camera camera = lit_view(file, options.view, size);
+  const Camera camera = camera_of(file, options.view, size);
   if (!options.common.quiet) {
     warn(file.warnings);
   }
-  const Accel accel(file.scene);
+  const SceneView view(std::move(file), camera);
   ProgressBar bar(options.common.scene, options.common.quiet);
-  const MethodTable table = compare_methods(accel, camera,
+  const MethodTable table = compare_methods(view.accel(), camera,
                                             {.width = size.width,
                                              .height = size.height,
                                              .levels = options.view.levels,
                                              .threads = options.common.threads,
-                                             .detail = detail_for(options.detail, file.scene),
+                                             .detail = detail_for(options.detail, view.scene()),
                                              .mark_textures = options.detail.mark_textures,
                                              .progress = bar.callback()},
                                             options.repetitions);

@@ -34,7 +34,8 @@ std::uint64_t pixels_past(const Encoder& encoder, std::size_t bits, const Catego
 // The products themselves, of any size, 32 bits a word.
 CategoryImage exact_primes(const Rendering& heap, const Encoder& primes) {
   std::vector<std::uint32_t> factors;
-  return recode(heap.categories, heap.encoder, [&](RayTree& tree, CategoryWords& words) {
+  CategoryTrees trees(heap.categories);
+  return recode(trees, [&](const RayTree& tree, CategoryWords& words) {
     std::get<PrimesProduct>(primes).list_factors(tree, factors);
     words.clear();
     export_bits(exact_product(factors), std::back_inserter(words), 32);
@@ -76,10 +77,10 @@ MethodTable compare_methods(const Accel& accel, const Camera& camera,
   table.none_seconds = median(none);
 
   const Rendering& heap = *renderings[0];
-  const CategoryImage primes = exact_primes(heap, renderings[2]->encoder);
+  const CategoryImage primes = exact_primes(heap, *renderings[2]->categories.encoder);
   for (std::size_t m = 0; m < std::size(methods); ++m) {
     const CategoryImage& own = renderings[m]->categories;
-    const Encoder& encoder = renderings[m]->encoder;
+    const Encoder& encoder = *own.encoder;
     const Comparison found = compare(methods[m] == Method::primes ? primes : own, heap.categories);
     table.methods.push_back({.method = std::string(name(methods[m])),
                              .edge_pixels = found.edge_pixels,

@@ -19,6 +19,7 @@
 #include "io/files/input_file.hpp"
 #include "io/files/output_file.hpp"
 #include "io/povray/file.hpp"
+#include "io/scene/default_view.hpp"
 
 namespace raycat::app {
 namespace {
@@ -30,7 +31,8 @@ using Writer = Json (*)(const ConvertOptions& options, SceneFile& file);
 
 Json to_pov(const ConvertOptions& options, SceneFile& file) {
   const ImageSize size = parse_size(options.view.size);
-  const Camera camera = lit_view(file, options.view, size);
+  const Camera camera = camera_of(file, options.view, size);
+  file.scene = lit(std::move(file.scene), camera);
   const std::vector<std::string> left_out = write_pov(options.out, file.scene,
                                                       {.camera = camera,
                                                        .width = size.width,

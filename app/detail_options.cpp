@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include "app/command.hpp"
+#include "app/help.hpp"
 
 namespace raycat::app {
 
 void add_detail(CLI::App& command, DetailOptions& options) {
+  start_group(command, groups::categories);
   add_choice<Granularity>(
       command, "--ids", options.detail.ids,
       {{"object", Granularity::object},

@@ -10,6 +10,7 @@
 #include <malloc.h>
 
 #include "app/command.hpp"
+#include "app/help.hpp"
 #include "app/interrupt.hpp"
 #include "io/files/load_error.hpp"
 #include "io/load_scene.hpp"
@@ -30,6 +31,7 @@ CLI::Validator number_in(double low, double high) {
 namespace {
 
 void add_limits(CLI::App& command, LoadLimits& limits) {
+  start_group(command, groups::limits);
   command
       .add_option("--max-memory", limits.memory,
                   "What a glTF file may hold, as 512M or 2G; half of the machine's by default")
@@ -52,11 +54,14 @@ void add_common(CLI::App& command, CommonOptions& options) {
   command
       .add_option("SCENE", options.scene, "Scene file: .gltf .glb .csg .scad .obj .ply .stl .off")
       ->required();
+  start_group(command, groups::general);
+  command.set_help_flag("-h,--help", "Print this help");
   command.add_option("--threads", options.threads, "Threads; all by default")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--quiet", options.quiet, "No progress and no warnings on stderr");
   command.add_flag("--json", options.json, "Machine-readable result on stdout");
+  start_group(command, groups::scene);
   command
       .add_option_function<double>(
           "--crease",
@@ -126,6 +131,9 @@ void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
 
 int run(int argc, char** argv) {
   CLI::App app("Ray path categorization for CSG and glTF scenes", "raycat");
+  app.formatter(std::make_shared<GroupedHelp>());
+  start_group(app, groups::general);
+  app.set_help_flag("-h,--help", "Print this help");
   app.set_version_flag("--version", "raycat " RAYCAT_VERSION);
   app.require_subcommand(1);
   add_render(app);

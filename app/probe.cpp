@@ -32,7 +32,7 @@ void probe(const ProbeOptions& options) {
     warn(file.warnings);
   }
   if (!options.pixel.empty()) {
-    probe_pixel(options, file);
+    probe_pixel(options, std::move(file));
   } else if (options.rays == "-") {
     probe_rays(options, file, std::cin);
   } else {

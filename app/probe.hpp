@@ -18,7 +18,7 @@ struct ProbeOptions {
 };
 
 /// Prints the ray tree of a pixel and its category under every method.
-void probe_pixel(const ProbeOptions& options, SceneFile& file);
+void probe_pixel(const ProbeOptions& options, SceneFile file);
 
 /// Prints what each ray of `in` crosses: lines ox oy oz dx dy dz.
 void probe_rays(const ProbeOptions& options, const SceneFile& file, std::istream& in);

@@ -8,7 +8,7 @@
 #include "app/probe.hpp"
 #include "app/report.hpp"
 #include "categories/exact_number.hpp"
-#include "render/render.hpp"
+#include "raycat/scene_view.hpp"
 
 namespace raycat::app {
 namespace {
@@ -173,17 +173,17 @@ Json to_json(const Codes& codes) {
 
 }  // namespace
 
-void probe_pixel(const ProbeOptions& options, SceneFile& file) {
+void probe_pixel(const ProbeOptions& options, SceneFile file) {
   const ImageSize size = parse_size(options.view.size);
   const Pixel pixel = parse_pixel(options.pixel, size);
-  const Camera camera = lit_view(file, options.view, size);
-  const Scene& scene = file.scene;
+  const Camera camera = camera_of(file, options.view, size);
+  const SceneView view(std::move(file), camera);
+  const Scene& scene = view.scene();
   const Detail detail = detail_for(options.detail, scene);
-  const Accel accel(scene);
   TraceScratch scratch;
   RayTree tree;
   const glm::vec3 colour =
-      trace(accel, ImagePlane(camera, size.width, size.height).ray(pixel.x + 0.5, pixel.y + 0.5),
+      trace(view.accel(), ImagePlane(camera, size.width, size.height).sample_ray(pixel.x, pixel.y),
             options.view.levels, tree, scratch);
   RayTree reduced(tree);
   reduce(reduced, detail, scene.surfaces);

@@ -12,11 +12,7 @@
 #include "app/render_stats.hpp"
 #include "app/report.hpp"
 #include "io/files/output_file.hpp"
-#include "io/images/image_file.hpp"
-#include "io/images/indexed_png.hpp"
-#include "io/images/layer_file.hpp"
-#include "render/edge_class_palette.hpp"
-#include "render/paint.hpp"
+#include "raycat/scene_view.hpp"
 #include "render/scene_sampler.hpp"
 
 namespace raycat::app {
@@ -33,165 +29,100 @@ RenderSettings settings_of(const RenderOptions& options, const ImageSize& size,
           .mark_textures = options.detail.mark_textures};
 }
 
-// The maps that are asked for.
-void find_edges(const RenderOptions& options, const Accel& accel, const Camera& camera,
-                const RenderSettings& settings, Rendered& rendered) {
-  Rendering& rendering = *rendered.categorized;
-  rendered.edges = detect_edges(rendering.categories);
-  rendered.selected = selected_pixels(rendered.edges, rendering.categories);
-  if (!options.edge_classes.empty()) {
-    rendered.classes = classify_edges(rendering.categories, rendering.encoder,
-                                      accel.scene().surfaces, settings.detail.ids);
+// What the maps that are wanted show.
+void find_edges(const RenderOptions& options, std::span<const WantedOutput> wanted,
+                const SceneView& view, const Camera& camera, const RenderSettings& settings,
+                Rendered& rendered) {
+  const CategoryImage& categories = rendered.categories();
+  rendered.trees.emplace(categories);
+  rendered.edges = detect_edges(categories);
+  rendered.selected = selected_pixels(rendered.edges, categories);
+  rendered.rays = rendered.categorized->rays;
+  for (const WantedOutput& each : wanted) {
+    if (each.output->find != nullptr) {
+      each.output->find(view.scene().surfaces, rendered);
+    }
   }
-  if (!options.regions.empty()) {
-    rendered.regions = connected_regions(rendering.categories);
-  }
-  rendered.rays = rendering.rays;
   if (options.subpixel > 0) {
-    CategoryTable table(rendering.categories.table);  // that of the pixels stays as it is
-    const auto sample = [&](std::span<const glm::dvec2> lattice) {
-      std::vector<glm::dvec2> points(lattice.begin(), lattice.end());
-      for (glm::dvec2& point : points) {
-        point += 0.5;  // from the lattice, which goes through the centres of pixels, to the image
-      }
-      return categorize(accel, camera, settings, points, rendering.encoder, table, rendered.rays);
-    };
-    rendered.refined = refine_edges(rendering.categories, options.subpixel, sample);
+    FinerSamples finer(view.accel(), camera, settings, categories);
+    rendered.refined = refine_edges(categories, options.subpixel, std::ref(finer));
+    rendered.rays += finer.rays();
   }
 }
 
 // The picture does not depend on the level of detail of the maps; its coverage does.
-void smooth_picture(const RenderOptions& options, const Accel& accel, const Camera& camera,
-                    const RenderSettings& settings, Rendered& rendered) {
+void antialias_picture(const RenderOptions& options, const SceneView& view, const Camera& camera,
+                       const RenderSettings& settings, Rendered& rendered) {
+  const bool wants_coverage = holds(options.outputs, "--coverage");
   ProgressBar bar(options.common.scene, options.common.quiet);
-  SceneSampler sampler(accel, camera, settings.width, settings.height, settings.levels,
+  SceneSampler sampler(view.accel(), camera, settings.width, settings.height, settings.levels,
                        settings.threads, options.alpha ? Backdrop::transparent : Backdrop::shown);
-  rendered.smooth = smooth(sampler,
-                           {.width = settings.width,
-                            .height = settings.height,
-                            .threads = settings.threads,
-                            .coverage = !options.coverage.empty(),
-                            .progress = bar.callback()},
-                           *smoothing(options));
+  rendered.antialiased = antialias(sampler,
+                                   {.width = settings.width,
+                                    .height = settings.height,
+                                    .threads = settings.threads,
+                                    .coverage = wants_coverage,
+                                    .progress = bar.callback()},
+                                   *antialiasing(options));
   rendered.colour = Image(settings.width, settings.height);
-  rendered.colour.pixels = rendered.smooth->without_alpha();
+  rendered.colour.pixels = rendered.antialiased->without_alpha();
   if (options.alpha) {
-    for (const glm::vec4& pixel : rendered.smooth->colour) {
+    for (const glm::vec4& pixel : rendered.antialiased->colour) {
       rendered.colour.alpha.push_back(pixel.a);
     }
   }
   rendered.rays += sampler.rays();
-  if (!options.coverage.empty()) {
+  if (wants_coverage) {
     rendered.coverage = coverage_image(
-        *rendered.smooth, [&](TreeId id) -> const RayTree& { return sampler.tree(id); },
-        accel.scene().surfaces, settings.detail, options.ranks);
-  }
-}
-
-std::vector<Layer> layers_of(const CoverageImage& coverage) {
-  const auto ranks = static_cast<std::size_t>(coverage.ranks);
-  const auto every = [&](const auto& values, std::size_t rank) {
-    std::decay_t<decltype(values)> out;
-    for (std::size_t i = rank; i < values.size(); i += ranks) {
-      out.push_back(values[i]);
-    }
-    return out;
-  };
-  std::vector<Layer> layers;
-  for (std::size_t rank = 0; rank < ranks; ++rank) {
-    layers.push_back({.name = fmt::format("id{}", rank), .values = every(coverage.ids, rank)});
-    layers.push_back(
-        {.name = fmt::format("coverage{}", rank), .values = every(coverage.shares, rank)});
-  }
-  return layers;
-}
-
-void write_outputs(const RenderOptions& options, const Rendered& rendered,
-                   const Provenance& provenance) {
-  const auto write = [&](const std::string& path, const auto& make) {
-    if (!path.empty()) {
-      write_image(path, make(), provenance);
-    }
-  };
-  const auto write_view = [&](const std::string& path, View view) {
-    const Rendering& rendering = *rendered.categorized;
-    const ViewImage shown = view_image(rendering.categories, rendering.encoder, view);
-    write_image(path, shown.image,
-                {.command = fmt::format("{} --view-as {}", provenance.command, name(view)),
-                 .scene = provenance.scene,
-                 .legend = shown.legend});
-  };
-  const EdgeMap& edges = rendered.refined ? rendered.refined->map : rendered.edges;
-  if (options.view_as) {
-    write_view(options.out, *options.view_as);
-  } else {
-    write(options.out, [&]() -> const Image& { return rendered.picture(); });
-  }
-  write(options.edges, [&] { return edge_image(edges); });
-  write(options.overlay, [&] { return overlay_image(rendered.picture(), rendered.edges); });
-  write(options.lines, [&] { return line_image(edges); });
-  write(options.selected, [&] { return edge_image(rendered.selected); });
-  write(options.segments, [&] { return segment_image(rendered.categorized->categories); });
-  write(options.regions,
-        [&] { return region_image(rendered.categorized->categories, *rendered.regions); });
-  for (const auto& [view, path] : options.views) {
-    write_view(path, view);
-  }
-  if (rendered.coverage) {
-    write_layers(options.coverage, rendered.coverage->width, rendered.coverage->height,
-                 layers_of(*rendered.coverage), provenance);
-  }
-  if (rendered.classes) {
-    write_indexed_png(
-        options.edge_classes,
-        {.width = rendered.classes->width,
-         .height = rendered.classes->height,
-         .pixels = rendered.classes->masks},
-        edge_class_palette(),
-        {.command = provenance.command, .scene = provenance.scene, .legend = edge_class_legend()});
+        *rendered.antialiased, [&](TreeId id) -> const RayTree& { return sampler.tree(id); },
+        view.scene().surfaces, settings.detail, options.ranks);
   }
 }
 
 void render(const RenderOptions& options, const CLI::App& command) {
   const ImageSize size = parse_size(options.view.size);
   require_outputs(options, size);
+  const std::vector<WantedOutput> wanted = wanted_outputs(options);
   Stopwatch watch;
   Seconds seconds;
   SceneFile file = load(options.common);
-  const Camera camera = lit_view(file, options.view, size);
-  RenderSettings settings = settings_of(options, size, file.scene);
+  const Camera camera = camera_of(file, options.view, size);
   seconds.load = watch.lap();
   if (!options.common.quiet) {
     warn(file.warnings);
   }
-  const Accel accel(file.scene);
+  const SceneView view(std::move(file), camera);
+  RenderSettings settings = settings_of(options, size, view.scene());
   seconds.build = watch.lap();
 
   Rendered rendered;
   {
     ProgressBar bar(options.common.scene, options.common.quiet);
     settings.progress = bar.callback();
-    if (smoothing(options) ? wants_categories(options) : options.method.has_value()) {
-      rendered.categorized = raycat::render(accel, camera, settings);
-    } else if (!smoothing(options)) {
-      rendered.colour = render_colour(accel, camera, settings, rendered.rays);
+    if (antialiasing(options) ? wants_categories(options) : options.method.has_value()) {
+      rendered.categorized = view.render(settings);
+    } else if (!antialiasing(options)) {
+      rendered.colour = render_colour(view.accel(), camera, settings, rendered.rays);
     }
   }
   seconds.trace = watch.lap();
   if (rendered.categorized) {
-    find_edges(options, accel, camera, settings, rendered);
+    find_edges(options, wanted, view, camera, settings, rendered);
   }
   seconds.edges = watch.lap();
-  if (smoothing(options)) {
-    smooth_picture(options, accel, camera, settings, rendered);
+  if (antialiasing(options)) {
+    antialias_picture(options, view, camera, settings, rendered);
   }
   seconds.antialias = watch.lap();
 
   const InterruptDelay delay;
-  write_outputs(options, rendered,
-                {.command = reproducing_command(options, command), .scene = options.common.scene});
+  const Provenance provenance{.command = reproducing_command(options, command),
+                              .scene = options.common.scene};
+  for (const auto& [output, path] : wanted) {
+    output->write(path, rendered, provenance);
+  }
   seconds.write = watch.lap();
-  const nlohmann::ordered_json stats = stats_of(options, file, rendered, seconds);
+  const nlohmann::ordered_json stats = stats_of(options, view.file(), rendered, seconds);
   if (!options.stats.empty()) {
     write_file(options.stats, dump(stats, 2) + "\n");
   }

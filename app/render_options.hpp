@@ -2,15 +2,14 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/antialias_options.hpp"
 #include "app/detail_options.hpp"
 #include "app/options.hpp"
+#include "app/render_outputs.hpp"
 #include "app/view.hpp"
 #include "categories/encoder.hpp"
-#include "render/view_as.hpp"
 
 namespace CLI {
 class App;
@@ -18,7 +17,7 @@ class App;
 
 namespace raycat::app {
 
-/// What `raycat render` was asked for. Outputs that are not wanted are empty.
+/// What `raycat render` was asked for.
 struct RenderOptions {
   CommonOptions common;
   ViewOptions view;
@@ -29,21 +28,15 @@ struct RenderOptions {
   bool alpha = false;
   int ranks = 6;
 
-  std::string out;
-  std::string edges;
-  std::string overlay;
-  std::string lines;
-  std::string edge_classes;
-  std::string selected;
-  std::string segments;
-  std::string regions;
-  std::vector<std::pair<View, std::string>> views;  ///< in files of their own
-  std::optional<View> view_as;                      ///< in place of the picture
-  std::string coverage;
-  std::string stats;
+  std::vector<WantedOutput> outputs;  ///< as they were asked for
+  std::optional<View> view_as;        ///< in place of the picture
+  std::string stats;                  ///< a file for them; none if empty
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);
+
+/// What is to be written, figures aside: `outputs`, with `view_as` in place of the picture.
+std::vector<WantedOutput> wanted_outputs(const RenderOptions& options);
 
 /// Finds out before the work what would go wrong after it: options that do not go together, two
 /// outputs in one file, an output in place of the scene, and files that cannot be written. Throws
@@ -51,7 +44,7 @@ void add_render_options(CLI::App& command, RenderOptions& options);
 void require_outputs(const RenderOptions& options, const ImageSize& size);
 
 /// How the picture is sampled by antialiasing; nothing if it is what categories are found with.
-std::optional<AntialiasOptions> smoothing(const RenderOptions& options);
+std::optional<AntialiasOptions> antialiasing(const RenderOptions& options);
 
 /// Is anything wanted that comes of categories, or of what they are?
 bool wants_categories(const RenderOptions& options);

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 std::uint64_t overflowed_pixels(const Rendering& rendering) {
   return count_pixels(rendering.categories,
-                      [&](auto words) { return overflowed(rendering.encoder, words); });
+                      [&](auto words) { return overflowed(*rendering.categories.encoder, words); });
 }
 
 Json categories_of(const RenderOptions& options, const Rendering& rendering) {
@@ -52,15 +52,15 @@ Json edges_of(const Rendered& rendered, double pixels) {
 
 // Of the picture: all else has been for categories alone.
 Json samples_of(const Rendered& rendered, double pixels) {
-  const std::uint64_t colour =
-      rendered.smooth ? rendered.smooth->samples.colour : static_cast<std::uint64_t>(pixels);
+  const std::uint64_t colour = rendered.antialiased ? rendered.antialiased->samples.colour
+                                                    : static_cast<std::uint64_t>(pixels);
   Json samples{{"colour", colour},
                {"category_only", rendered.rays.camera - colour},
                {"per_pixel", static_cast<double>(rendered.rays.camera) / pixels}};
-  if (rendered.smooth) {
+  if (rendered.antialiased) {
     samples["picture_per_pixel"] =
-        static_cast<double>(colour + rendered.smooth->samples.category_only) / pixels;
-    samples["refined_pixels"] = rendered.smooth->refined;
+        static_cast<double>(colour + rendered.antialiased->samples.category_only) / pixels;
+    samples["refined_pixels"] = rendered.antialiased->refined;
   }
   return samples;
 }
@@ -85,7 +85,7 @@ nlohmann::ordered_json stats_of(const RenderOptions& options, const SceneFile& f
   if (rendered.categorized) {
     stats["categories"] = categories_of(options, *rendered.categorized);
     stats["edges"] = edges_of(rendered, pixels);
-    if (!options.segments.empty()) {
+    if (holds(options.outputs, "--segments")) {
       stats["segments"] = parts_of(pixels_per_category(rendered.categorized->categories));
     }
     if (rendered.regions) {

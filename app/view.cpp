@@ -9,6 +9,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/command.hpp"
+#include "app/help.hpp"
+#include "io/scene/default_view.hpp"
 #include "raytree/ray_tree.hpp"
 
 namespace raycat::app {
@@ -65,15 +67,6 @@ View parse_view(const std::string& text, const glm::dvec3& up) {
   }
 }
 
-// Keeps the size of what lies at `distance` from the eye.
-Camera orthographic(Camera camera, double distance) {
-  if (!camera.orthographic) {
-    camera.orthographic = true;
-    camera.half_height *= distance;
-  }
-  return camera;
-}
-
 const Camera& named_camera(const SceneFile& file, const std::string& wanted) {
   const auto& cameras = file.scene.cameras;
   for (const Camera& camera : cameras) {
@@ -92,43 +85,10 @@ const Camera& named_camera(const SceneFile& file, const std::string& wanted) {
                                names.empty() ? "none" : names));
 }
 
-Camera choose_camera(const SceneFile& file, const ViewOptions& options, const ImageSize& size) {
-  const Bounds box = bounds(file.scene);
-  if (!options.view.empty()) {
-    const auto [camera, distance] = parse_view(options.view, file.up);
-    return options.orthographic ? orthographic(camera, distance) : camera;
-  }
-  if (options.camera.empty() && file.scene.cameras.empty()) {
-    return frame(box, file.viewed_from.value_or(three_quarter(file.up)), file.up,
-                 static_cast<double>(size.width) / size.height, options.orthographic);
-  }
-  const Camera& camera =
-      options.camera.empty() ? file.scene.cameras.front() : named_camera(file, options.camera);
-  return options.orthographic
-             ? orthographic(camera, box.empty() ? 1.0 : glm::distance(camera.eye, box.center()))
-             : camera;
-}
-
-// For scenes that have none.
-void add_default_lights(Scene& scene, const Camera& camera) {
-  if (!scene.lights.empty()) {
-    return;
-  }
-  const auto shining = [](std::string name, const glm::dvec3& direction, float strength) {
-    return Light{.name = std::move(name),
-                 .kind = Light::Kind::directional,
-                 .direction = glm::normalize(direction),
-                 .diffuse = glm::vec3(strength),
-                 .specular = glm::vec3(strength)};
-  };
-  scene.lights.push_back(shining("headlight", camera.forward, 0.45f));
-  scene.lights.push_back(
-      shining("key light", camera.forward + 0.6 * camera.right - 0.9 * camera.up, 0.55f));
-}
-
 }  // namespace
 
 void add_view(CLI::App& command, ViewOptions& options) {
+  start_group(command, groups::view);
   command.add_option("--size", options.size, "Image size in pixels")
       ->type_name("WxH")
       ->capture_default_str();
@@ -157,8 +117,8 @@ ImageSize parse_size(const std::string& text) {
   if (!width || !height) {
     throw UsageError(fmt::format("--size {}: expected WxH, such as 512x512", text));
   }
-  if (*width < 1 || *height < 1 || *width > most_side || *height > most_side) {
-    throw UsageError(fmt::format("--size {}: a side has 1 to {} pixels", text, most_side));
+  if (*width < 1 || *height < 1 || *width > most_image_side || *height > most_image_side) {
+    throw UsageError(fmt::format("--size {}: a side has 1 to {} pixels", text, most_image_side));
   }
   if (static_cast<long long>(*width) * *height > most_pixels) {
     throw UsageError(fmt::format("--size {}: an image has at most {} pixels", text, most_pixels));
@@ -166,10 +126,18 @@ ImageSize parse_size(const std::string& text) {
   return {.width = *width, .height = *height};
 }
 
-Camera lit_view(SceneFile& file, const ViewOptions& options, const ImageSize& size) {
-  const Camera camera = choose_camera(file, options, size);
-  add_default_lights(file.scene, camera);
-  return camera;
+Camera camera_of(const SceneFile& file, const ViewOptions& options, const ImageSize& size) {
+  if (!options.view.empty()) {
+    const auto [camera, distance] = parse_view(options.view, file.up);
+    return options.orthographic ? orthographic(camera, distance) : camera;
+  }
+  if (options.camera.empty()) {
+    return default_camera(file, static_cast<double>(size.width) / size.height,
+                          options.orthographic);
+  }
+  const Camera& camera = named_camera(file, options.camera);
+  return options.orthographic ? orthographic(camera, distance_to_middle(file.scene, camera))
+                              : camera;
 }
 
 }  // namespace raycat::app

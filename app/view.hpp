@@ -28,15 +28,14 @@ struct ImageSize {
   int height = 0;
 };
 
-inline constexpr int most_side = 65536;
+inline constexpr int most_image_side = 65536;
 inline constexpr long long most_pixels = 1LL << 28;
 
 /// Throws `UsageError` unless `text` is WxH with 1 to 65536 pixels a side and at most 2^28.
 ImageSize parse_size(const std::string& text);
 
-/// The camera that the options ask for, else the file's first, else one that frames the scene. A
-/// scene without lights is given a headlight and a key light that go with it. Throws `UsageError`
-/// for a camera that is not there, or a view that cannot be read.
-Camera lit_view(SceneFile& file, const ViewOptions& options, const ImageSize& size);
+/// The camera that the options ask for, else the scene's own. Throws `UsageError` for a camera that
+/// is not there, or a view that cannot be read.
+Camera camera_of(const SceneFile& file, const ViewOptions& options, const ImageSize& size);
 
 }  // namespace raycat::app

@@ -3,9 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "categories/category_table.hpp"
+#include "categories/detail.hpp"
+#include "categories/encoder.hpp"
 
 namespace raycat {
 
@@ -20,6 +23,9 @@ struct CategoryImage {
 
   /// 1 for each sample whose ray met a textured surface (Section 4.2). Empty if none can.
   std::vector<std::uint8_t> textured;
+
+  std::optional<Encoder> encoder;  ///< that made the words of `table`; nothing if another way did
+  Detail detail;                   ///< what the categories keep of ray trees
 
   std::size_t index(int x, int y) const noexcept {
     return static_cast<std::size_t>(y) * (static_cast<std::size_t>(width) + 1) +

@@ -2,16 +2,19 @@
 
 namespace raycat {
 
-CategoryImage recode(const CategoryImage& image, const Encoder& heap,
-                     const std::function<void(RayTree& tree, CategoryWords& words)>& words_of) {
-  CategoryImage result{.width = image.width, .height = image.height, .textured = image.textured};
-  RayTree tree;
+CategoryImage recode(
+    CategoryTrees& trees,
+    const std::function<void(const RayTree& tree, CategoryWords& words)>& words_of) {
+  const CategoryImage& image = trees.image();
+  CategoryImage result{.width = image.width,
+                       .height = image.height,
+                       .textured = image.textured,
+                       .detail = image.detail};
   CategoryWords words;
   std::vector<CategoryId> known;  // by the number in `image`, so that these stay in raster order
   known.reserve(image.table.size());
   for (std::size_t id = 0; id < image.table.size(); ++id) {
-    decode(heap, image.table.words(CategoryId{static_cast<std::uint32_t>(id)}), tree);
-    words_of(tree, words);
+    words_of(trees.tree(CategoryId{static_cast<std::uint32_t>(id)}), words);
     known.push_back(result.table.intern(words));
   }
   result.samples.reserve(image.samples.size());
@@ -21,12 +24,17 @@ CategoryImage recode(const CategoryImage& image, const Encoder& heap,
   return result;
 }
 
-CategoryImage recode(const CategoryImage& image, const Encoder& heap, const Detail& detail,
-                     const SurfaceTable& surfaces, const Encoder& to) {
-  return recode(image, heap, [&](RayTree& tree, CategoryWords& words) {
-    reduce(tree, detail, surfaces);
-    encode(to, tree, words);
+CategoryImage recode(CategoryTrees& trees, const Detail& detail, const SurfaceTable& surfaces,
+                     const Encoder& to) {
+  RayTree kept;
+  CategoryImage result = recode(trees, [&](const RayTree& tree, CategoryWords& words) {
+    kept = tree;
+    reduce(kept, detail, surfaces);
+    encode(to, kept, words);
   });
+  result.encoder = to;
+  result.detail = detail;
+  return result;
 }
 
 }  // namespace raycat

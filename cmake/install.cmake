@@ -11,9 +11,10 @@ foreach(library ${raycat_libraries})
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT raycat_${library} NAMESPACE raycat:: DESTINATION ${destination})
 endforeach()
-install(DIRECTORY ${raycat_libraries}
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raycat
-  FILES_MATCHING PATTERN "*.hpp")
+install(CODE "
+  include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
+  raycat_public_headers(\"${PROJECT_SOURCE_DIR}\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/raycatConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 configure_file(cmake/raycatConfig.cmake.in raycatConfig.cmake @ONLY)

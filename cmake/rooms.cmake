@@ -5,7 +5,7 @@
 # that name with all its rooms, but for app, which is the program.
 set(raycat_rooms raytree threads geometry csg modelling tracer categories edges antialias render
   io/files io/scene io/images io/meshes io/gltf io/openscad io/povray io/export io
-  app app/study)
+  raycat app app/study)
 set(raycat_libraries ${raycat_rooms})
 list(FILTER raycat_libraries EXCLUDE REGEX "/|^app$")
 
@@ -31,9 +31,10 @@ set(raycat_uses_io/povray io/files geometry csg tracer)
 set(raycat_uses_io/export io/files raytree geometry modelling tracer)
 set(raycat_uses_io io/files io/scene io/meshes io/gltf io/openscad)
 
-set(raycat_uses_app io/files io/scene io/images io/povray io/export io raytree geometry tracer
+set(raycat_uses_raycat raytree io/files io/images io/scene io tracer categories edges render)
+set(raycat_uses_app raycat io/files io/scene io/images io/povray io/export io raytree geometry tracer
   categories edges antialias render)
-set(raycat_uses_app/study app io/files io/images io/povray io tracer categories edges render)
+set(raycat_uses_app/study app raycat io/files io/images io/povray io tracer categories edges render)
 
 # raycat_packages_LIBRARY: those that a program with it is linked with; and those of them that its
 # headers include.
@@ -51,6 +52,7 @@ set(raycat_packages_categories fmt)
 set(raycat_packages_edges glm)
 set(raycat_packages_antialias glm)
 set(raycat_packages_render fmt)
+set(raycat_packages_raycat)
 set(raycat_packages_io draco fmt meshoptimizer nlohmann_json OpenImageIO OpenMesh PNG)
 
 set(raycat_version_embree 3.13)

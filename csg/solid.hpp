@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "csg/heavy_paths.hpp"
-#include "csg/leaf_index.hpp"
+#include "csg/leaf_bvh.hpp"
 #include "csg/packed_leaves.hpp"
 #include "csg/tree.hpp"
 #include "geometry/bounds.hpp"
@@ -86,7 +86,7 @@ class Solid {
   Bounds bounds_;
   PackedLeaves leaves_;
   HeavyPaths paths_;
-  LeafIndex index_;
+  LeafBvh index_;
 };
 
 struct Solid::Scratch {
@@ -112,7 +112,7 @@ struct Solid::Scratch {
   Interval wanted_;
   Interval known_;          // where crossings are looked for
   std::size_t passed_ = 0;  // crossings of a lone shape
-  LeafIndex::Search search_;
+  LeafBvh::Search search_;
 
   HeavyPaths::State state_;
 };

@@ -44,7 +44,7 @@ std::uint8_t way_to(HeapPosition position) {
 }
 
 // The classes of two trees whose nodes are in the order of their positions, and hence of levels.
-std::uint8_t tree_difference(const RayTree& a, const RayTree& b, const SurfaceTable& surfaces,
+std::uint8_t classes_between(const RayTree& a, const RayTree& b, const SurfaceTable& surfaces,
                              Granularity ids) {
   std::uint8_t mask = 0;
   int last_level = most_levels;
@@ -75,9 +75,8 @@ std::uint8_t tree_difference(const RayTree& a, const RayTree& b, const SurfaceTa
 // Compares categories, each pair once and each tree read once.
 class Comparer {
  public:
-  Comparer(const CategoryTable& table, const Encoder& heap, const SurfaceTable& surfaces,
-           Granularity ids)
-      : table_(table), heap_(heap), surfaces_(surfaces), ids_(ids), trees_(table.size()) {}
+  Comparer(CategoryTrees& trees, const SurfaceTable& surfaces)
+      : trees_(trees), surfaces_(surfaces), sorted_(trees.image().table.size()) {}
 
   std::uint8_t operator()(CategoryId a, CategoryId b) {
     if (a == b) {
@@ -87,26 +86,24 @@ class Comparer {
     const auto [known, is_new] = known_.try_emplace(
         std::uint64_t{static_cast<std::uint32_t>(low)} << 32 | static_cast<std::uint32_t>(high));
     if (is_new) {
-      known->second = tree_difference(tree(low), tree(high), surfaces_, ids_);
+      known->second = classes_between(tree(low), tree(high), surfaces_, trees_.image().detail.ids);
     }
     return known->second;
   }
 
  private:
   const RayTree& tree(CategoryId id) {
-    std::optional<RayTree>& tree = trees_[static_cast<std::size_t>(id)];
+    std::optional<RayTree>& tree = sorted_[static_cast<std::size_t>(id)];
     if (!tree) {
-      decode(heap_, table_.words(id), tree.emplace());
+      tree = trees_.tree(id);
       std::ranges::sort(*tree, {}, &RayNode::position);
     }
     return *tree;
   }
 
-  const CategoryTable& table_;
-  const Encoder& heap_;
+  CategoryTrees& trees_;
   const SurfaceTable& surfaces_;
-  Granularity ids_;
-  std::vector<std::optional<RayTree>> trees_;  // by category
+  std::vector<std::optional<RayTree>> sorted_;  // by category
   std::unordered_map<std::uint64_t, std::uint8_t> known_;
 };
 
@@ -128,12 +125,12 @@ std::array<std::uint64_t, all_edge_classes.size()> EdgeClasses::counts() const {
   return counts;
 }
 
-EdgeClasses classify_edges(const CategoryImage& categories, const Encoder& heap,
-                           const SurfaceTable& surfaces, Granularity ids) {
+EdgeClasses classify_edges(CategoryTrees& trees, const SurfaceTable& surfaces) {
+  const CategoryImage& categories = trees.image();
   EdgeClasses classes{.width = categories.width, .height = categories.height, .masks = {}};
   classes.masks.reserve(static_cast<std::size_t>(classes.width) *
                         static_cast<std::size_t>(classes.height));
-  Comparer compare(categories.table, heap, surfaces, ids);
+  Comparer compare(trees, surfaces);
   for (int y = 0; y < classes.height; ++y) {
     for (int x = 0; x < classes.width; ++x) {
       const CategoryId here = categories.at(x, y);

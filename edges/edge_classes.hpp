@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "categories/category_image.hpp"
-#include "categories/encoder.hpp"
+#include "categories/category_trees.hpp"
 #include "raytree/surface_table.hpp"
 
 namespace raycat {
@@ -47,10 +46,8 @@ struct EdgeClasses {
 /// root down, and what counts are the differences of the first level that has any: those below
 /// most often only follow from them. So a mask is 0 exactly where `detect_edges` finds no edge.
 ///
-/// The trees are read back from `categories`, which `heap` encoded with surfaces told apart by
-/// `ids`. The surface after the last of these is one that a path expression leaves untold; it
-/// differs from all others by object. Throws `std::logic_error` for an encoder that is no heap.
-EdgeClasses classify_edges(const CategoryImage& categories, const Encoder& heap,
-                           const SurfaceTable& surfaces, Granularity ids);
+/// The surface after the last of `surfaces` is one that a path expression leaves untold; it differs
+/// from all others by object. Throws `std::logic_error` as `CategoryTrees` does.
+EdgeClasses classify_edges(CategoryTrees& trees, const SurfaceTable& surfaces);
 
 }  // namespace raycat

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "csg/leaf_index.hpp"
+#include "csg/leaf_bvh.hpp"
 #include "modelling/exact.hpp"
 
 namespace raycat {
@@ -39,7 +39,7 @@ class Sides {
   std::span<const Exact::Point_3> points_;
   std::span<const glm::uvec3> triangles_;
   std::span<const std::uint8_t> wanted_;
-  LeafIndex index_;
+  LeafBvh index_;
 };
 
 }  // namespace raycat

@@ -24,7 +24,7 @@ void add(TreeId category, float share, std::vector<Share>& shares) {
 
 }  // namespace
 
-CoverageImage coverage_image(const SmoothPicture& picture,
+CoverageImage coverage_image(const AntialiasedPicture& picture,
                              const std::function<const RayTree&(TreeId)>& tree_of,
                              const SurfaceTable& surfaces, const Detail& detail, int ranks) {
   CoverageImage out{.width = picture.width, .height = picture.height, .ranks = ranks};

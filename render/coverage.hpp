@@ -24,7 +24,7 @@ struct CoverageImage {
 /// Of a picture with its coverage. Categories are those of a level of detail, numbered from 1 in
 /// the order in which they are met, row by row and, within a pixel, by size. `tree_of` tells the
 /// picture's trees. What does not fit `ranks` is left out, and the rest made to sum to 1.
-CoverageImage coverage_image(const SmoothPicture& picture,
+CoverageImage coverage_image(const AntialiasedPicture& picture,
                              const std::function<const RayTree&(TreeId)>& tree_of,
                              const SurfaceTable& surfaces, const Detail& detail, int ranks);
 

@@ -89,7 +89,7 @@ double ssim(const Pixels& image, const Pixels& reference, int width) {
   return total / (static_cast<double>(width - window + 1) * (height - window + 1));
 }
 
-Pixels difference(const Pixels& image, const Pixels& reference, float gain) {
+Pixels difference_image(const Pixels& image, const Pixels& reference, float gain) {
   Pixels out(image.size());
   for (std::size_t i = 0; i < image.size(); ++i) {
     out[i] = glm::clamp(gain * glm::abs(image[i] - reference[i]), 0.0f, 1.0f);

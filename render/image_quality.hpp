@@ -22,6 +22,6 @@ double psnr_encoded(const Pixels& image, const Pixels& reference);
 double ssim(const Pixels& image, const Pixels& reference, int width);
 
 /// How far pixels are from the reference, `gain` times, per channel.
-Pixels difference(const Pixels& image, const Pixels& reference, float gain);
+Pixels difference_image(const Pixels& image, const Pixels& reference, float gain);
 
 }  // namespace raycat

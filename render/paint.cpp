@@ -24,16 +24,16 @@ Image two_coloured(const EdgeMap& edges, const glm::vec3& on, const glm::vec3& o
 }
 
 // Part `byte` of the hash, from 0 to 1.
-float part(std::uint64_t hash, int byte) {
+float share_of(std::uint64_t hash, int byte) {
   return static_cast<float>(hash >> (8 * byte) & 0xff) / 255.0f;
 }
 
 // A hue anywhere, neither grey nor dark, so that neighbours stand apart from each other and from
 // black lines. On the 8-bit sRGB grid, so that the picture's bytes are the colour itself.
 glm::vec3 colour_of(std::uint64_t hash) {
-  const float hue = 6.0f * part(hash, 1) + part(hash, 2) / 43.0f;
-  const float saturation = 0.35f + 0.5f * part(hash, 3);
-  const float value = 0.6f + 0.38f * part(hash, 4);
+  const float hue = 6.0f * share_of(hash, 1) + share_of(hash, 2) / 43.0f;
+  const float saturation = 0.35f + 0.5f * share_of(hash, 3);
+  const float value = 0.6f + 0.38f * share_of(hash, 4);
   glm::vec3 colour;
   for (int channel = 0; channel < 3; ++channel) {
     const float k = std::fmod(static_cast<float>(5 - 2 * channel) + hue, 6.0f);

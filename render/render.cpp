@@ -108,15 +108,16 @@ Extent extent(const Scene& scene, const Detail& detail, int levels) {
 Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings) {
   const int columns = settings.width + 1;
   const int rows = settings.height + 1;
-  Rendering result{.colour = Image(settings.width, settings.height),
-                   .encoder = make_encoder(
-                       settings.method, extent(accel.scene(), settings.detail, settings.levels))};
-  const Plan plan(accel, settings, result.encoder);
+  Rendering result{.colour = Image(settings.width, settings.height)};
   const ImagePlane plane(camera, settings.width, settings.height);
 
   CategoryImage& categories = result.categories;
   categories.width = settings.width;
   categories.height = settings.height;
+  categories.detail = settings.detail;
+  categories.encoder =
+      make_encoder(settings.method, extent(accel.scene(), settings.detail, settings.levels));
+  const Plan plan(accel, settings, *categories.encoder);
   categories.samples.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   categories.textured.resize(plan.textured.empty() ? 0 : categories.samples.size());
   std::vector<Worker> workers(static_cast<std::size_t>(settings.threads));
@@ -128,7 +129,7 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
     row_worker[static_cast<std::size_t>(y)] = w;
     std::size_t next = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);
     for (int x = 0; x < columns; ++x, ++next) {
-      const Sample sample = worker.sample(plan, plane.ray(x + 0.5, y + 0.5));
+      const Sample sample = worker.sample(plan, plane.sample_ray(x, y));
       if (x < settings.width && y < settings.height) {
         result.colour.pixels[result.colour.index(x, y)] = sample.colour;
       }
@@ -157,7 +158,7 @@ Image render_colour(const Accel& accel, const Camera& camera, const RenderSettin
   parallel_rows(settings.height, settings.threads, [&](int y, int w) {
     NoRecord nothing;
     for (int x = 0; x < settings.width; ++x) {
-      image.pixels[image.index(x, y)] = trace(accel, plane.ray(x + 0.5, y + 0.5), settings.levels,
+      image.pixels[image.index(x, y)] = trace(accel, plane.sample_ray(x, y), settings.levels,
                                               nothing, scratch[static_cast<std::size_t>(w)]);
     }
     progress.row_done();
@@ -168,29 +169,26 @@ Image render_colour(const Accel& accel, const Camera& camera, const RenderSettin
   return image;
 }
 
-std::vector<CategoryId> categorize(const Accel& accel, const Camera& camera,
-                                   const RenderSettings& settings,
-                                   std::span<const glm::dvec2> points, const Encoder& encoder,
-                                   CategoryTable& table, RayCounts& rays) {
+std::vector<CategoryId> FinerSamples::operator()(std::span<const glm::dvec2> points) {
   constexpr std::size_t run = 256;
-  const Plan plan(accel, settings, encoder);
-  const ImagePlane plane(camera, settings.width, settings.height);
+  const Plan plan(accel_, settings_, encoder_);
+  const ImagePlane plane(camera_, settings_.width, settings_.height);
   const std::size_t runs = (points.size() + run - 1) / run;
   std::vector<CategoryId> samples(points.size());
-  std::vector<Worker> workers(static_cast<std::size_t>(settings.threads));
+  std::vector<Worker> workers(static_cast<std::size_t>(settings_.threads));
   std::vector<int> run_worker(runs);
-  parallel_rows(static_cast<int>(runs), settings.threads, [&](int r, int w) {
+  parallel_rows(static_cast<int>(runs), settings_.threads, [&](int r, int w) {
     run_worker[static_cast<std::size_t>(r)] = w;
     const std::size_t begin = static_cast<std::size_t>(r) * run;
     for (std::size_t i = begin; i < std::min(begin + run, points.size()); ++i) {
       samples[i] = workers[static_cast<std::size_t>(w)]
-                       .sample(plan, plane.ray(points[i].x, points[i].y))
+                       .sample(plan, plane.sample_ray(points[i].x, points[i].y))
                        .category;
     }
   });
-  number_in_order(samples, run, workers, run_worker, table);
+  number_in_order(samples, run, workers, run_worker, table_);
   for (const Worker& worker : workers) {
-    rays += worker.rays();
+    rays_ += worker.rays();
   }
   return samples;
 }

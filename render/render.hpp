@@ -2,6 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "categories/category_image.hpp"
 #include "categories/detail.hpp"
@@ -29,7 +33,6 @@ struct RenderSettings {
 struct Rendering {
   Image colour;
   CategoryImage categories;
-  Encoder encoder;  ///< that made the categories
   RayCounts rays;
 };
 
@@ -44,12 +47,34 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
 Image render_colour(const Accel& accel, const Camera& camera, const RenderSettings& settings,
                     RayCounts& rays);
 
-/// The categories of single points of the image plane, in pixels as `ImagePlane::ray` has them, by
-/// the encoder of an image that was rendered with the same arguments. Those that are not in `table`
-/// are added by first appearance, whatever the number of threads; `rays` grows by those traced.
-std::vector<CategoryId> categorize(const Accel& accel, const Camera& camera,
-                                   const RenderSettings& settings,
-                                   std::span<const glm::dvec2> points, const Encoder& encoder,
-                                   CategoryTable& table, RayCounts& rays);
+/// Samples between those of an image that was rendered with the same arguments.
+class FinerSamples {
+ public:
+  /// Keeps references to `accel`, `camera` and `settings`.
+  FinerSamples(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+               const CategoryImage& image)
+      : accel_(accel),
+        camera_(camera),
+        settings_(settings),
+        encoder_(*image.encoder),
+        table_(image.table) {}
+
+  /// The categories of points of the image's lattice, as `ImagePlane::sample_ray` has them.
+  std::vector<CategoryId> operator()(std::span<const glm::dvec2> points);
+
+  /// That of the image, to which new categories are added by first appearance, whatever the number
+  /// of threads.
+  const CategoryTable& table() const noexcept { return table_; }
+
+  const RayCounts& rays() const noexcept { return rays_; }
+
+ private:
+  const Accel& accel_;
+  const Camera& camera_;
+  const RenderSettings& settings_;
+  Encoder encoder_;
+  CategoryTable table_;
+  RayCounts rays_;
+};
 
 }  // namespace raycat

@@ -25,7 +25,7 @@ class RepeatRecorder {
         ++matched_;
         return;
       }
-      part();
+      diverge();
     }
     fresh_.push_back(node);
   }
@@ -36,7 +36,7 @@ class RepeatRecorder {
       return true;
     }
     if (!differs_) {
-      part();
+      diverge();
     }
     std::swap(tree_, fresh_);
     return false;
@@ -45,7 +45,7 @@ class RepeatRecorder {
   const RayTree& tree() const { return tree_; }
 
  private:
-  [[gnu::noinline]] void part() {
+  [[gnu::noinline]] void diverge() {
     differs_ = true;
     fresh_.assign(tree_.begin(), tree_.begin() + static_cast<std::ptrdiff_t>(matched_));
   }

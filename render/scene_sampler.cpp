@@ -46,7 +46,7 @@ ColourSample SceneSampler::sample(const glm::dvec2& point, int worker) {
 // must cost much less.
 bool SceneSampler::tells_cheaply(TreeId a, TreeId b) {
   const RayTree& tree = trees_.tree(a);
-  const auto apart = difference(tree, trees_.tree(b));
+  const auto apart = tree_difference(tree, trees_.tree(b));
   if (!apart) {
     return false;
   }
@@ -60,7 +60,7 @@ bool SceneSampler::tells_cheaply(TreeId a, TreeId b) {
 std::optional<TreeId> SceneSampler::side(const glm::dvec2& point, TreeId a, TreeId b, int worker) {
   Worker& at = workers_[static_cast<std::size_t>(worker)];
   const RayTree& tree = trees_.tree(a);
-  const auto apart = difference(tree, trees_.tree(b));
+  const auto apart = tree_difference(tree, trees_.tree(b));
   if (!apart) {
     const TreeId met = sample(point, worker).tree;
     return met == a || met == b ? std::optional(met) : std::nullopt;

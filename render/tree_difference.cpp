@@ -30,7 +30,7 @@ const RayNode* node_at(const RayTree& tree, HeapPosition position) {
   return found == tree.end() ? nullptr : &*found;
 }
 
-std::optional<TreeDifference> difference(const RayTree& a, const RayTree& b) {
+std::optional<TreeDifference> tree_difference(const RayTree& a, const RayTree& b) {
   // A node's number is greater than those of all that are above it.
   HeapPosition top = ~HeapPosition{0};
   const auto lower = [&](HeapPosition position) { top = std::min(top, position); };

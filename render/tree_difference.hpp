@@ -17,7 +17,7 @@ struct TreeDifference {
 };
 
 /// Nothing if they are equal, or more than one node or light is needed to tell them apart.
-std::optional<TreeDifference> difference(const RayTree& a, const RayTree& b);
+std::optional<TreeDifference> tree_difference(const RayTree& a, const RayTree& b);
 
 /// The node of a tree at a position; null if there is none.
 const RayNode* node_at(const RayTree& tree, HeapPosition position);

@@ -92,17 +92,16 @@ std::string_view name(View view) {
   return names[static_cast<int>(view)];
 }
 
-ViewImage view_image(const CategoryImage& categories, const Encoder& heap, View view) {
+ViewImage view_image(CategoryTrees& trees, View view) {
+  const CategoryImage& categories = trees.image();
   if (view == View::category) {
     return {.image = segment_image(categories),
             .legend = "a colour for each category, a hash of it; white: no hit that counts"};
   }
   std::vector<Measure> measures;
   int most = 0;
-  RayTree tree;
   for (std::size_t id = 0; id < categories.table.size(); ++id) {
-    decode(heap, categories.table.words(CategoryId{static_cast<std::uint32_t>(id)}), tree);
-    measures.push_back(measure(tree));
+    measures.push_back(measure(trees.tree(CategoryId{static_cast<std::uint32_t>(id)})));
     most = std::max(most, number(measures.back(), view));
   }
   std::vector<glm::vec3> colours;

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "categories/category_image.hpp"
-#include "categories/encoder.hpp"
+#include "categories/category_trees.hpp"
 #include "tracer/image.hpp"
 
 namespace raycat {
@@ -31,9 +30,9 @@ struct ViewImage {
   std::string legend;  ///< what its colours mean, in a line
 };
 
-/// Shows `view` of categories that `heap` has encoded. Numbers are coloured by the viridis map from
+/// Shows `view` of the image of `trees`. Numbers are coloured by the viridis map from
 /// 0, dark blue, to the most there is in the image, yellow. Rays that leave the scene are white.
-/// Throws `std::logic_error` for an encoder that is no heap.
-ViewImage view_image(const CategoryImage& categories, const Encoder& heap, View view);
+/// Throws `std::logic_error` as `CategoryTrees` does, but for `View::category`.
+ViewImage view_image(CategoryTrees& trees, View view);
 
 }  // namespace raycat

@@ -81,6 +81,14 @@ Camera frame(const Bounds& bounds, const glm::dvec3& towards_eye, const glm::dve
   return camera;
 }
 
+Camera orthographic(Camera camera, double distance) {
+  if (!camera.orthographic) {
+    camera.orthographic = true;
+    camera.half_height *= distance;
+  }
+  return camera;
+}
+
 ImagePlane::ImagePlane(const Camera& camera, int width, int height)
     : camera_(camera),
       pixel_(2.0 * camera.half_height / height),

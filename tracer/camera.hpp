@@ -26,6 +26,10 @@ struct Camera {
 /// coordinate is not finite. If `up` is along the view, another is chosen.
 Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
 
+/// An orthographic camera in place of `camera`, which keeps the size of what lies at `distance`
+/// from the eye.
+Camera orthographic(Camera camera, double distance);
+
 /// From the front right and above, 35 degrees round and 25 up: the unit vector towards the eye of a
 /// three-quarter view, with `up` (+Y or +Z) upright.
 glm::dvec3 three_quarter(const glm::dvec3& up);
@@ -43,6 +47,13 @@ class ImagePlane {
   /// The ray through the point (x, y) in pixels from the top left corner of the image: the
   /// centre of pixel (i, j) is (i + 0.5, j + 0.5). The direction is of unit length.
   Ray ray(double x, double y) const noexcept;
+
+  /// The ray of sample (x, y) of a picture, which goes through the centre of pixel (x, y). The
+  /// lattice of samples is that of a `CategoryImage`; between them, coordinates may be broken.
+  Ray sample_ray(double x, double y) const noexcept { return ray(x + to_centre, y + to_centre); }
+
+  /// From a pixel's top left corner to its centre, in each coordinate.
+  static constexpr double to_centre = 0.5;
 
   /// Where `point` is seen, in pixels. Points behind the camera give no sensible place.
   glm::dvec2 project(const glm::dvec3& point) const noexcept;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "csg/leaf_index.hpp"
+#include "csg/leaf_bvh.hpp"
 #include "csg/solid.hpp"
 #include "tracer/object_volumes.hpp"
 
@@ -70,7 +70,7 @@ class ChordCaster {
              Chords& united) const;
 
   const std::vector<ObjectVolume>& objects_;
-  LeafIndex boxes_;
+  LeafBvh boxes_;
 };
 
 }  // namespace raycat

@@ -33,20 +33,20 @@ std::vector<Choice> choices() {
   for (const int side : {2, 3, 4, 6}) {
     all.push_back({"uniform",
                    fmt::format("--samples {}", side),
-                   {.method = Smoothing::uniform, .samples = side}});
+                   {.method = AntialiasMethod::uniform, .samples = side}});
   }
   for (const int side : {2, 4, 8}) {
     for (const float t : {0.2f, 0.1f, 0.05f, 0.02f, 0.01f}) {
       all.push_back({fmt::format("threshold {}x{}", side, side),
                      fmt::format("--samples {} --threshold {}", side, t),
-                     {.method = Smoothing::threshold, .samples = side, .threshold = t}});
+                     {.method = AntialiasMethod::threshold, .samples = side, .threshold = t}});
     }
   }
   for (const int side : {4, 8, 16}) {
     for (const float t : {0.3f, 0.1f, 0.05f, 0.02f, 0.01f}) {
       all.push_back({fmt::format("whitted {}", side),
                      fmt::format("--samples {} --threshold {}", side, t),
-                     {.method = Smoothing::whitted, .samples = side, .threshold = t}});
+                     {.method = AntialiasMethod::whitted, .samples = side, .threshold = t}});
     }
   }
   for (const int side : {8, 16}) {
@@ -54,31 +54,32 @@ std::vector<Choice> choices() {
       all.push_back(
           {fmt::format("whitted {} by area", side),
            fmt::format("--samples {} --threshold {} --by-area", side, t),
-           {.method = Smoothing::whitted, .samples = side, .threshold = t, .by_area = true}});
+           {.method = AntialiasMethod::whitted, .samples = side, .threshold = t, .by_area = true}});
     }
   }
   for (const int side : {2, 4, 8}) {
     all.push_back({"category",
                    fmt::format("--samples {}", side),
-                   {.method = Smoothing::category, .samples = side}});
+                   {.method = AntialiasMethod::category, .samples = side}});
   }
   for (const int side : {2, 4, 8}) {
     all.push_back({"category recursive",
                    fmt::format("--samples {} --recursive", side),
-                   {.method = Smoothing::category, .samples = side, .recursive = true}});
+                   {.method = AntialiasMethod::category, .samples = side, .recursive = true}});
   }
   for (const bool colour_only : {false, true}) {
     for (const float e :
          {0.1f, 0.05f, 0.03f, 0.02f, 0.01f, 0.007f, 0.005f, 0.003f, 0.002f, 0.001f, 0.0005f}) {
-      all.push_back({colour_only ? "adaptive colour-only" : "adaptive",
-                     fmt::format("--quality {}{}", e, colour_only ? " --colour-only" : ""),
-                     {.method = Smoothing::adaptive, .quality = e, .colour_only = colour_only}});
+      all.push_back(
+          {colour_only ? "adaptive colour-only" : "adaptive",
+           fmt::format("--quality {}{}", e, colour_only ? " --colour-only" : ""),
+           {.method = AntialiasMethod::adaptive, .quality = e, .colour_only = colour_only}});
     }
   }
   for (const double budget : {1.1, 1.2, 1.3, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0}) {
     all.push_back({"adaptive budget",
                    fmt::format("--budget {}", budget),
-                   {.method = Smoothing::adaptive, .budget = budget}});
+                   {.method = AntialiasMethod::adaptive, .budget = budget}});
   }
   return all;
 }
@@ -92,8 +93,8 @@ constexpr int povray_side = 16;
 constexpr int most_times = 3;
 constexpr double long_enough = 1.5;
 
-Smoothed outcome(std::string family, std::string knobs, const Pixels& colours,
-                 const Pixels& reference, const ImageSize& size) {
+Antialiased outcome(std::string family, std::string knobs, const Pixels& colours,
+                    const Pixels& reference, const ImageSize& size) {
   return {.family = std::move(family),
           .knobs = std::move(knobs),
           .linear = psnr(colours, reference),
@@ -102,8 +103,8 @@ Smoothed outcome(std::string family, std::string knobs, const Pixels& colours,
 }
 
 // POV-Ray's two methods, by threshold and depth.
-void add_povray(const StudySettings& settings, const StudyScene& scene, SmoothingSweep& sweep) {
-  const PovScene povray(scene.file.scene, scene.camera, sweep.size, smoothing_levels,
+void add_povray(const StudySettings& settings, const StudyScene& scene, AntialiasSweep& sweep) {
+  const PovScene povray(scene.view.scene(), scene.camera, sweep.size, antialias_levels,
                         settings.threads);
   const auto reference = povray.reference(settings.quick ? quick_reference_side : povray_side);
   if (!reference) {
@@ -118,7 +119,7 @@ void add_povray(const StudySettings& settings, const StudyScene& scene, Smoothin
                                                fmt::format("+A{}", threshold),
                                                fmt::format("+R{}", depth)};
         const PovScene::Picture picture = *povray.render(options);
-        Smoothed& added = sweep.outcomes.emplace_back(
+        Antialiased& added = sweep.outcomes.emplace_back(
             outcome(fmt::format("POV-Ray AM{}", method), fmt::format("{}", fmt::join(options, " ")),
                     picture.colour, *reference, sweep.size));
         added.per_pixel = picture.per_pixel;
@@ -130,10 +131,10 @@ void add_povray(const StudySettings& settings, const StudyScene& scene, Smoothin
 
 // The least of `cost` at which outcomes of a family reach a PSNR, between two of them if that is
 // less than any one that exceeds it.
-std::optional<double> least(const SmoothingSweep& sweep, const std::string& family, double target,
-                            const std::function<double(const Smoothed&)>& cost) {
+std::optional<double> least(const AntialiasSweep& sweep, const std::string& family, double target,
+                            const std::function<double(const Antialiased&)>& cost) {
   std::vector<glm::dvec2> points;
-  for (const Smoothed& outcome : sweep.outcomes) {
+  for (const Antialiased& outcome : sweep.outcomes) {
     if (outcome.family.starts_with(family) && (family != "adaptive" || outcome.family == family)) {
       points.emplace_back(outcome.linear, cost(outcome));
     }
@@ -154,34 +155,34 @@ std::optional<double> least(const SmoothingSweep& sweep, const std::string& fami
 
 }  // namespace
 
-SmoothPicture smoothed(const StudySettings& settings, const StudyScene& scene,
-                       const ImageSize& size, const AntialiasOptions& options) {
-  SceneSampler sampler(scene.accel, scene.camera, size.width, size.height, smoothing_levels,
+AntialiasedPicture antialiased(const StudySettings& settings, const StudyScene& scene,
+                               const ImageSize& size, const AntialiasOptions& options) {
+  SceneSampler sampler(scene.view.accel(), scene.camera, size.width, size.height, antialias_levels,
                        settings.threads);
-  return smooth(
+  return antialias(
       sampler,
       {.width = size.width, .height = size.height, .threads = settings.threads, .progress = {}},
       options);
 }
 
-Pixels smoothing_reference(const StudySettings& settings, const StudyScene& scene,
+Pixels antialias_reference(const StudySettings& settings, const StudyScene& scene,
                            const ImageSize& size) {
   ProgressBar bar(fmt::format("{} {}x{}", scene.label, size.width, size.height), settings.quiet);
-  SceneSampler sampler(scene.accel, scene.camera, size.width, size.height, smoothing_levels,
+  SceneSampler sampler(scene.view.accel(), scene.camera, size.width, size.height, antialias_levels,
                        settings.threads);
-  return smooth_uniformly(sampler,
-                          {.width = size.width,
-                           .height = size.height,
-                           .threads = settings.threads,
-                           .progress = bar.callback()},
-                          settings.quick ? quick_reference_side : reference_side)
+  return antialias_uniformly(sampler,
+                             {.width = size.width,
+                              .height = size.height,
+                              .threads = settings.threads,
+                              .progress = bar.callback()},
+                             settings.quick ? quick_reference_side : reference_side)
       .without_alpha();
 }
 
-SmoothingSweep sweep_smoothing(const StudySettings& settings, const StudyScene& scene,
-                               const std::string& stem, const ImageSize& size,
-                               const Pixels& reference) {
-  SmoothingSweep out{.scene = scene.label, .stem = stem, .size = size, .outcomes = {}};
+AntialiasSweep sweep_antialiasing(const StudySettings& settings, const StudyScene& scene,
+                                  const std::string& stem, const ImageSize& size,
+                                  const Pixels& reference) {
+  AntialiasSweep out{.scene = scene.label, .stem = stem, .size = size, .outcomes = {}};
   std::vector<Choice> all = choices();
   if (settings.quick) {
     constexpr std::size_t every = 7;
@@ -193,17 +194,17 @@ SmoothingSweep sweep_smoothing(const StudySettings& settings, const StudyScene& 
     // The least of several times, if it is short: what else the machine does only adds to it.
     double seconds = std::numeric_limits<double>::infinity();
     double spent = 0.0;
-    std::optional<SmoothPicture> last;
+    std::optional<AntialiasedPicture> last;
     for (int time = 0; time < (settings.quick ? 1 : most_times) && spent < long_enough; ++time) {
       const double start = cpu_seconds();
-      last = smoothed(settings, scene, size, choice.options);
+      last = antialiased(settings, scene, size, choice.options);
       const double taken = cpu_seconds() - start;
       seconds = std::min(seconds, taken);
       spent += taken;
     }
-    const SmoothPicture& picture = *last;
+    const AntialiasedPicture& picture = *last;
     const SampleCounts& samples = picture.samples;
-    Smoothed& added = out.outcomes.emplace_back(
+    Antialiased& added = out.outcomes.emplace_back(
         outcome(choice.family, choice.knobs, picture.without_alpha(), reference, size));
     added.per_pixel = static_cast<double>(samples.colour + samples.category_only) / pixels;
     added.category_only = static_cast<double>(samples.category_only) / pixels;
@@ -213,8 +214,8 @@ SmoothingSweep sweep_smoothing(const StudySettings& settings, const StudyScene& 
   return out;
 }
 
-std::optional<double> cost_ratio(const SmoothingSweep& sweep, double target,
-                                 const std::function<double(const Smoothed&)>& cost) {
+std::optional<double> cost_ratio(const AntialiasSweep& sweep, double target,
+                                 const std::function<double(const Antialiased&)>& cost) {
   const auto ours = least(sweep, "adaptive", target, cost);
   const auto threshold = least(sweep, "threshold", target, cost);
   const auto whitted = least(sweep, "whitted", target, cost);

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double no_less = 1e-9;
 
-double extra(const Smoothed& outcome) { return std::max(outcome.per_pixel - 1.0, no_less); }
+double extra(const Antialiased& outcome) { return std::max(outcome.per_pixel - 1.0, no_less); }
 
 std::string shown(const std::optional<double>& value) {
   return value ? fmt::format("{:.2f}", *value) : "";
@@ -30,7 +30,7 @@ std::string shown(const std::optional<double>& value) {
 constexpr double targets[] = {46.0, 50.0, 54.0, 58.0};
 
 template <typename X, typename Y>
-Plot plot_of(const SmoothingSweep& sweep, const std::string& title, const PlotAxis& x,
+Plot plot_of(const AntialiasSweep& sweep, const std::string& title, const PlotAxis& x,
              const PlotAxis& y, const X& x_of, const Y& y_of) {
   Plot plot{.title = title, .x = x, .y = y, .series = {}};
   struct Drawn {
@@ -48,7 +48,7 @@ Plot plot_of(const SmoothingSweep& sweep, const std::string& title, const PlotAx
                                               {"POV-Ray AM1", 5},
                                               {"POV-Ray AM2", 6}}) {
     PlotSeries series{.name = family, .points = {}, .style = style, .dashed = dashed};
-    for (const Smoothed& outcome : sweep.outcomes) {
+    for (const Antialiased& outcome : sweep.outcomes) {
       if (outcome.family == family) {
         series.points.emplace_back(x_of(outcome), y_of(outcome));
       }
@@ -60,18 +60,18 @@ Plot plot_of(const SmoothingSweep& sweep, const std::string& title, const PlotAx
   return plot;
 }
 
-void show(const StudySettings& settings, const SmoothingSweep& sweep, ReportPage& page) {
+void show(const StudySettings& settings, const AntialiasSweep& sweep, ReportPage& page) {
   const std::string where =
       fmt::format("{} {}x{}", sweep.scene, sweep.size.width, sweep.size.height);
   const std::string name =
       fmt::format("table2-{}-{}x{}", sweep.stem, sweep.size.width, sweep.size.height);
   const PlotAxis rays{.label = "rays per pixel", .scale = AxisScale::decimal};
   const PlotAxis cpu{.label = "CPU seconds", .scale = AxisScale::decimal};
-  const auto per_pixel = [](const Smoothed& o) { return o.per_pixel; };
-  const auto seconds = [](const Smoothed& o) { return std::max(o.cpu, 1e-4); };
-  const auto linear = [](const Smoothed& o) { return o.linear; };
-  const auto encoded = [](const Smoothed& o) { return o.encoded; };
-  const auto similarity = [](const Smoothed& o) { return o.similarity; };
+  const auto per_pixel = [](const Antialiased& o) { return o.per_pixel; };
+  const auto seconds = [](const Antialiased& o) { return std::max(o.cpu, 1e-4); };
+  const auto linear = [](const Antialiased& o) { return o.linear; };
+  const auto encoded = [](const Antialiased& o) { return o.encoded; };
+  const auto similarity = [](const Antialiased& o) { return o.similarity; };
   for (const auto& [suffix, plot] :
        {std::pair{"", plot_of(sweep, where, rays, {.label = "PSNR, linear light (dB)"}, per_pixel,
                               linear)},
@@ -91,14 +91,16 @@ void show_differences(const StudySettings& settings, const StudyScene& scene,
   constexpr float gain = 8.0f;
   std::vector<ReportPage::Picture> pictures;
   for (const auto& [what, options] :
-       {std::pair{"adaptive", AntialiasOptions{.method = Smoothing::adaptive, .quality = 0.005f}},
-        {"whitted",
-         AntialiasOptions{
-             .method = Smoothing::whitted, .samples = 16, .threshold = 0.03f, .by_area = true}}}) {
-    const SmoothPicture picture = smoothed(settings, scene, size, options);
+       {std::pair{"adaptive",
+                  AntialiasOptions{.method = AntialiasMethod::adaptive, .quality = 0.005f}},
+        {"whitted", AntialiasOptions{.method = AntialiasMethod::whitted,
+                    .samples = 16,
+                    .threshold = 0.03f,
+                    .by_area = true}}}) {
+    const AntialiasedPicture picture = antialiased(settings, scene, size, options);
     const Pixels colours = picture.without_alpha();
     Image image(size.width, size.height);
-    image.pixels = difference(colours, reference, gain);
+    image.pixels = difference_image(colours, reference, gain);
     pictures.push_back(
         {write_picture(settings, fmt::format("table2-{}-{}", stem, what), image, scene.label),
          fmt::format("{} of {}: {:.2f} rays a pixel, {:.1f} dB; what is wrong, {} times", what,
@@ -122,17 +124,17 @@ Table our_table(const StudySettings& settings, const StudyScene& scene,
                 const std::vector<ImageSize>& sizes) {
   Table table{.columns = {"method"}, .rows = {}};
   const std::vector<std::pair<const char*, AntialiasOptions>> methods{
-      {"Thresholding", {.method = Smoothing::threshold, .samples = 2, .threshold = 0.1f}},
-      {"Whitted", {.method = Smoothing::whitted, .samples = 4, .threshold = 0.1f}},
-      {"Categories", {.method = Smoothing::category, .samples = 2}},
-      {"Adaptive (ours)", {.method = Smoothing::adaptive}}};
+      {"Thresholding", {.method = AntialiasMethod::threshold, .samples = 2, .threshold = 0.1f}},
+      {"Whitted", {.method = AntialiasMethod::whitted, .samples = 4, .threshold = 0.1f}},
+      {"Categories", {.method = AntialiasMethod::category, .samples = 2}},
+      {"Adaptive (ours)", {.method = AntialiasMethod::adaptive}}};
   for (const auto& [name, options] : methods) {
     table.rows.push_back({name});
   }
   for (const ImageSize& size : sizes) {
     table.columns.push_back(fmt::format("{}x{}", size.width, size.height));
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      const SmoothPicture picture = smoothed(settings, scene, size, methods[i].second);
+      const AntialiasedPicture picture = antialiased(settings, scene, size, methods[i].second);
       table.rows[i].push_back(fmt::format(
           "{:.2f}", static_cast<double>(picture.samples.colour + picture.samples.category_only) /
                         (static_cast<double>(size.width) * size.height)));
@@ -175,10 +177,10 @@ Json study_table2(const StudySettings& settings, ReportPage& page) {
     page.paragraph(scene.label);
     page.table(table, write_table(settings, "table2-samples-" + stem, table));
     for (const ImageSize& size : sizes) {
-      const Pixels reference = smoothing_reference(settings, scene, size);
-      const SmoothingSweep outcomes = sweep_smoothing(settings, scene, stem, size, reference);
+      const Pixels reference = antialias_reference(settings, scene, size);
+      const AntialiasSweep outcomes = sweep_antialiasing(settings, scene, stem, size, reference);
       const std::string dimensions = fmt::format("{}x{}", size.width, size.height);
-      for (const Smoothed& o : outcomes.outcomes) {
+      for (const Antialiased& o : outcomes.outcomes) {
         points.rows.push_back({scene.label, dimensions, o.family, o.knobs,
                                fmt::format("{:.4f}", o.per_pixel),
                                fmt::format("{:.4f}", o.category_only), fmt::format("{:.4f}", o.cpu),
@@ -187,7 +189,7 @@ Json study_table2(const StudySettings& settings, ReportPage& page) {
       }
       for (const double target : targets) {
         const auto rays = cost_ratio(outcomes, target, extra);
-        const auto cpu = cost_ratio(outcomes, target, [](const Smoothed& o) { return o.cpu; });
+        const auto cpu = cost_ratio(outcomes, target, [](const Antialiased& o) { return o.cpu; });
         reach.rows.push_back(
             {scene.label, dimensions, fmt::format("{:.0f}", target), shown(rays), shown(cpu)});
         result["ratios"].push_back({{"scene", scene.label},
@@ -214,12 +216,12 @@ Json study_table2(const StudySettings& settings, ReportPage& page) {
 
 Json study_fig13(const StudySettings& settings, ReportPage& page) {
   const StudyScene scene(settings, "fig9", settings.size);
-  const Rendering rendering = trace(settings, scene, settings.size, smoothing_levels);
+  const Rendering rendering = trace(settings, scene, settings.size, antialias_levels);
   const EdgeMap edges = detect_edges(rendering.categories);
-  const SmoothPicture smooth =
-      smoothed(settings, scene, settings.size, {.method = Smoothing::category, .samples = 4});
+  const AntialiasedPicture picture =
+      antialiased(settings, scene, settings.size, {.method = AntialiasMethod::category, .samples = 4});
   Image result(settings.size.width, settings.size.height);
-  result.pixels = smooth.without_alpha();
+  result.pixels = picture.without_alpha();
   page.section("fig13", "Fig. 13: antialiasing");
   page.beside(
       "Antialiasing process. (a) Original image for which category information is generated; (b) "
@@ -228,12 +230,12 @@ Json study_fig13(const StudySettings& settings, ReportPage& page) {
       fmt::format(
           "The same of {}, 4 x 4 squares of samples in chosen pixels: {:.2f} samples a pixel.",
           scene.label,
-          static_cast<double>(smooth.samples.colour) /
+          static_cast<double>(picture.samples.colour) /
               (static_cast<double>(settings.size.width) * settings.size.height)));
   page.pictures({{write_picture(settings, "fig13-original", rendering.colour, scene.label), "(a)"},
                  {write_picture(settings, "fig13-chosen", edge_image(edges), scene.label), "(b)"},
                  {write_picture(settings, "fig13-result", result, scene.label), "(c)"}});
-  return {{"chosen", edges.count()}, {"samples", smooth.samples.colour}};
+  return {{"chosen", edges.count()}, {"samples", picture.samples.colour}};
 }
 
 }  // namespace raycat::app

@@ -62,12 +62,13 @@ Json study_fig7(const StudySettings& settings, ReportPage& page) {
 
   const StudyScene scene(settings, "fig7", settings.size);
   const Rendering rendering = trace(settings, scene, settings.size, depth);
+  CategoryTrees trees(rendering.categories);
   std::vector<ReportPage::Picture> pictures{
       {write_picture(settings, "fig7-original", rendering.colour, scene.label), "(a) Original"}};
   Table table{.columns = level_columns, .rows = {}};
   Json levels = Json::array();
   for (const Panel& panel : panels) {
-    const CategoryImage categories = at_detail(scene, rendering, panel.levels, panel.lights);
+    const CategoryImage categories = at_detail(scene, trees, panel.levels, panel.lights);
     const Level level = measure(categories, panel.levels, panel.lights);
     pictures.push_back(
         {write_picture(settings, panel.file, line_image(detect_edges(categories)), scene.label),
@@ -95,6 +96,7 @@ Json study_fig15(const StudySettings& settings, ReportPage& page) {
   constexpr int deepest = 8;
   const StudyScene scene(settings, "fig9", settings.size);
   const Rendering rendering = trace(settings, scene, settings.size, deepest);
+  CategoryTrees trees(rendering.categories);
   std::vector<ReportPage::Picture> pictures;
   Table table{.columns = level_columns, .rows = {}};
   Json levels = Json::array();
@@ -105,7 +107,7 @@ Json study_fig15(const StudySettings& settings, ReportPage& page) {
                        {.name = "surfaces alone", .style = 1, .dashed = true}}};
   for (int depth = 1; depth <= deepest; ++depth) {
     for (const bool lights : {true, false}) {
-      const CategoryImage categories = at_detail(scene, rendering, depth, lights);
+      const CategoryImage categories = at_detail(scene, trees, depth, lights);
       const Level level = measure(categories, depth, lights);
       if (lights) {
         pictures.push_back({write_picture(settings, fmt::format("fig15-depth{}", depth),

@@ -44,7 +44,7 @@ MethodTable compare(const StudySettings& settings, const StudyScene& scene) {
   constexpr int repetitions = 5;
   constexpr int levels = 8;
   ProgressBar bar(fmt::format("table1 {}", scene.label), settings.quiet);
-  return compare_methods(scene.accel, scene.camera,
+  return compare_methods(scene.view.accel(), scene.camera,
                          {.width = settings.size.width,
                           .height = settings.size.height,
                           .levels = levels,

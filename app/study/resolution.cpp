@@ -53,8 +53,9 @@ SceneCurves measure(const StudySettings& settings, const std::string& name) {
   for (int size = smallest; size <= settings.largest; size *= 2) {
     const ImageSize square{.width = size, .height = size};
     const Rendering rendering = trace(settings, scene, square, deepest);
+    CategoryTrees trees(rendering.categories);
     for (Curve& curve : curves.all) {
-      const CategoryImage categories = at_detail(scene, rendering, curve.levels, curve.lights);
+      const CategoryImage categories = at_detail(scene, trees, curve.levels, curve.lights);
       const std::uint64_t count = edge_pixels(categories);
       curve.points.push_back({.size = size,
                               .edge_pixels = count,

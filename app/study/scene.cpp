@@ -37,14 +37,13 @@ fs::path study_file(const StudySettings& settings, const std::string& name) {
 StudyScene::StudyScene(const StudySettings& settings, const std::string& name,
                        const ImageSize& size)
     : label(settings.scene.empty() ? name + ".gltf" : settings.scene),
-      file(load(settings, name)),
-      camera(lit_view(file, {}, size)),
-      accel(file.scene) {}
+      view(load(settings, name)),
+      camera(view.camera(size.width, size.height)) {}
 
 Rendering trace(const StudySettings& settings, const StudyScene& scene, const ImageSize& size,
                 int levels) {
   ProgressBar bar(fmt::format("{} {}x{}", scene.label, size.width, size.height), settings.quiet);
-  return render(scene.accel, scene.camera,
+  return render(scene.view.accel(), scene.camera,
                 {.width = size.width,
                  .height = size.height,
                  .levels = levels,
@@ -53,11 +52,10 @@ Rendering trace(const StudySettings& settings, const StudyScene& scene, const Im
                  .progress = bar.callback()});
 }
 
-CategoryImage at_detail(const StudyScene& scene, const Rendering& rendering, int levels,
-                        bool lights) {
+CategoryImage at_detail(const StudyScene& scene, CategoryTrees& trees, int levels, bool lights) {
   const Detail detail{.levels = levels, .lights = lights};
-  return recode(rendering.categories, rendering.encoder, detail, scene.file.scene.surfaces,
-                make_encoder(Method::heap, extent(scene.file.scene, detail, levels)));
+  return recode(trees, detail, scene.view.scene().surfaces,
+                make_encoder(Method::heap, extent(scene.view.scene(), detail, levels)));
 }
 
 std::uint64_t edge_pixels(const CategoryImage& categories) {

@@ -11,7 +11,8 @@
 #include "app/study/page.hpp"
 #include "app/study/plot.hpp"
 #include "app/view.hpp"
-#include "render/render.hpp"
+#include "categories/category_trees.hpp"
+#include "raycat/scene_view.hpp"
 
 namespace raycat::app {
 
@@ -38,23 +39,18 @@ std::filesystem::path study_file(const StudySettings& settings, const std::strin
 struct StudyScene {
   StudyScene(const StudySettings& settings, const std::string& name, const ImageSize& size);
 
-  StudyScene(const StudyScene&) = delete;
-  StudyScene& operator=(const StudyScene&) = delete;
-
   std::string label;  ///< fig8.gltf, or the user's file as given
-  SceneFile file;
+  SceneView view;
   Camera camera;
-  Accel accel;
 };
 
 /// Its picture and its categories of full detail.
 Rendering trace(const StudySettings& settings, const StudyScene& scene, const ImageSize& size,
                 int levels);
 
-/// The categories of `rendering`, of full detail, that are left of `levels` levels, with or without
+/// The categories that are left of `levels` levels of `trees`, of full detail, with or without
 /// lights. Traces nothing.
-CategoryImage at_detail(const StudyScene& scene, const Rendering& rendering, int levels,
-                        bool lights);
+CategoryImage at_detail(const StudyScene& scene, CategoryTrees& trees, int levels, bool lights);
 
 /// The number of the edge pixels in `categories` and in a part of an image.
 std::uint64_t edge_pixels(const CategoryImage& categories);

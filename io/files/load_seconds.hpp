@@ -15,14 +15,14 @@ struct LoadSeconds {
 };
 
 /// Adds the time from its making to its end to a sum.
-class Stopwatch {
+class SpentTime {
  public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() {
+  explicit SpentTime(double& seconds) : seconds_(seconds) {}
+  ~SpentTime() {
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
+  SpentTime(const SpentTime&) = delete;
+  SpentTime& operator=(const SpentTime&) = delete;
 
  private:
   double& seconds_;

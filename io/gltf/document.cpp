@@ -276,7 +276,7 @@ GltfDocument open_gltf(const std::filesystem::path& file, LoadBudget& budget) {
   GltfDocument document;
   document.file = file;
   {
-    const Stopwatch parsing(budget.spent().parse);
+    const SpentTime parsing(budget.spent().parse);
     GltfContainer container = open_container(file, budget);
     document.json = std::move(container.json);
     document.warnings = std::move(container.warnings);
@@ -287,11 +287,11 @@ GltfDocument open_gltf(const std::filesystem::path& file, LoadBudget& budget) {
     load_buffers(document, container, budget);
   }
   {
-    const Stopwatch decompressing(budget.spent().decompress);
+    const SpentTime decompressing(budget.spent().decompress);
     decode_meshopt(document, budget);
     decode_draco(document, budget);
   }
-  const Stopwatch parsing(budget.spent().parse);
+  const SpentTime parsing(budget.spent().parse);
   document.model = parse_model(document);
   check_accessors(document, budget);
   check_forest(document);

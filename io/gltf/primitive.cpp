@@ -57,7 +57,7 @@ class PrimitiveReader {
     std::vector<std::uint32_t> vertices;
     std::optional<std::vector<std::uint32_t>> polygons;
     {
-      const Stopwatch reading(budget.spent().meshes);
+      const SpentTime reading(budget.spent().meshes);
       mesh->triangles.triangles = read_triangles(positions->size(), budget);
       vertices = renumber(mesh->triangles.triangles, positions->size());
       mesh->triangles.positions.resize(vertices.size());
@@ -70,7 +70,7 @@ class PrimitiveReader {
       read_coordinates(sets, vertices, positions->size(), *mesh);
       read_colours(vertices, positions->size(), *mesh);
     }
-    const Stopwatch grouping(budget.spent().faces);
+    const SpentTime grouping(budget.spent().faces);
     if (const auto features =
             feature_ids(document_, mesh_, primitive_, vertices, positions->size())) {
       take_features(*features, names, mesh->triangles);

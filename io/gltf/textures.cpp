@@ -122,7 +122,7 @@ std::vector<std::size_t> GltfTextures::images(std::size_t texture) const {
 }
 
 std::optional<DecodedImage> GltfTextures::decode(std::size_t texture) {
-  const Stopwatch decoding(budget_.spent().images);
+  const SpentTime decoding(budget_.spent().images);
   const std::vector<std::size_t> all = images(texture);
   if (all.empty()) {
     document_.warnings.emplace_back("a texture has no image and is left out");

@@ -59,9 +59,9 @@ std::vector<std::uint32_t> polygon(const Parameters& parameters, const Value& va
 // Up to here $fn says that a prism or a pyramid is meant, a hexagon nut say, and no round thing.
 constexpr double most_meant_corners = 11.0;
 
-bool is_round(const Context& context, const Parameters& parameters, Detail detail) {
+bool is_round(const Context& context, const Parameters& parameters, Roundness roundness) {
   const double number = parameters.facets().number;
-  return detail == Detail::as_asked && context.options.facets == Facetting::smooth &&
+  return roundness == Roundness::as_asked && context.options.facets == Facetting::smooth &&
          !(number > 0.0 && number <= most_meant_corners);
 }
 
@@ -91,13 +91,13 @@ std::optional<Primitive> cube(Context& context, const Node& node) {
                    .frame = moved(centred ? glm::dvec3(0.0) : 0.5 * size)};
 }
 
-std::optional<Primitive> sphere(Context& context, const Node& node, Detail detail) {
+std::optional<Primitive> sphere(Context& context, const Node& node, Roundness roundness) {
   const Parameters parameters(context, node, {"r"}, {"d"});
   const double radius = parameters.radius("r", "d", 1.0);
   if (!(radius > 0.0)) {
     return {};
   }
-  if (is_round(context, parameters, detail)) {
+  if (is_round(context, parameters, roundness)) {
     return Primitive{.shape = Sphere{.radius = radius}};
   }
   const std::uint32_t count = parameters.corners(radius);
@@ -105,7 +105,7 @@ std::optional<Primitive> sphere(Context& context, const Node& node, Detail detai
   return Primitive{.shape = closed_facets(node, facet_sphere(radius, count))};
 }
 
-std::optional<Primitive> cylinder(Context& context, const Node& node, Detail detail) {
+std::optional<Primitive> cylinder(Context& context, const Node& node, Roundness roundness) {
   const Parameters parameters(context, node, {"h", "r1", "r2", "center"}, {"r", "d", "d1", "d2"});
   const double both = parameters.radius("r", "d", 1.0);
   const double bottom = parameters.radius("r1", "d1", both);
@@ -116,7 +116,7 @@ std::optional<Primitive> cylinder(Context& context, const Node& node, Detail det
   if (!(height > 0.0 && bottom >= 0.0 && top >= 0.0 && widest > 0.0)) {
     return {};
   }
-  if (is_round(context, parameters, detail)) {
+  if (is_round(context, parameters, roundness)) {
     return Primitive{
         .shape = Cylinder{.height = height, .radius_top = top, .radius_bottom = bottom},
         .frame = moved({0.0, 0.0, centred ? 0.0 : 0.5 * height}) * upright()};
@@ -151,14 +151,14 @@ std::optional<Primitive> polyhedron(Context& context, const Node& node) {
 
 }  // namespace
 
-std::optional<Primitive> solid_primitive(Context& context, const Node& node, Detail detail) {
+std::optional<Primitive> solid_primitive(Context& context, const Node& node, Roundness roundness) {
   if (node.name == "cube") {
     return cube(context, node);
   }
   if (node.name == "sphere") {
-    return sphere(context, node, detail);
+    return sphere(context, node, roundness);
   }
-  return node.name == "cylinder" ? cylinder(context, node, detail) : polyhedron(context, node);
+  return node.name == "cylinder" ? cylinder(context, node, roundness) : polyhedron(context, node);
 }
 
 Shape closed(const Node& node, TriangleMesh mesh) {

@@ -18,12 +18,12 @@ struct Primitive {
 
 /// Are round things as `LoadOptions::facets` asks, or in facets whatever it says, since what they
 /// are an operand of works on triangles?
-enum class Detail { as_asked, facets };
+enum class Roundness { as_asked, faceted };
 
 /// The solid of a cube, sphere, cylinder or polyhedron node; nothing if it has no volume, as
 /// OpenSCAD sees it. Throws `NodeError` for a parameter of the wrong type, a polyhedron that is not
 /// closed, or too many triangles in the file.
-std::optional<Primitive> solid_primitive(Context& context, const Node& node, Detail detail);
+std::optional<Primitive> solid_primitive(Context& context, const Node& node, Roundness roundness);
 
 /// A mesh as a solid, turned inside out if its volume is negative. Throws `NodeError` if it is not
 /// closed.

@@ -200,7 +200,7 @@ void Evaluator::primitive(std::uint32_t at) {
   place(at, kind == Kind::file
                 ? file_primitive(context_, node)
                 : solid_primitive(context_, node,
-                                  passing_[at].faceted ? Detail::facets : Detail::as_asked));
+                                  passing_[at].faceted ? Roundness::faceted : Roundness::as_asked));
 }
 
 // Makes the node a leaf.

@@ -12,7 +12,7 @@
 namespace raycat {
 namespace {
 
-SmoothSettings of(int width, int height, int threads = 1) {
+AntialiasSettings of(int width, int height, int threads = 1) {
   return {.width = width, .height = height, .threads = threads, .progress = {}};
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("a patch that is quadratic is integrated exactly without a ray", "[ant
     const double v = 0.2 + 0.01 * p.x + 0.004 * p.x * p.x - 0.003 * p.y * p.y + 0.002 * p.x * p.y;
     return {.colour = glm::vec4(glm::vec3(static_cast<float>(v)), 1.0f), .tree = TreeId{1}};
   });
-  const SmoothPicture is = smooth_adaptively(patch, of(7, 7), {.error = 0.01f});
+  const AntialiasedPicture is = antialias_adaptively(patch, of(7, 7), {.error = 0.01f});
   CHECK(is.samples.colour == 64);
   for (int y = 0; y < 7; ++y) {
     for (int x = 0; x < 7; ++x) {
@@ -62,7 +62,7 @@ TEST_CASE("a straight edge at any angle is covered within a five-hundredth", "[a
     Picture picture = two_colours([&](const glm::dvec2& p) {
       return normal.x * (p.x - point.x) + normal.y * (p.y - point.y) < 0.0;
     });
-    const SmoothPicture is = smooth_adaptively(picture, of(8, 8), fine);
+    const AntialiasedPicture is = antialias_adaptively(picture, of(8, 8), fine);
     for (int y = 0; y < 8; ++y) {
       for (int x = 0; x < 8; ++x) {
         INFO(degrees << " degrees, pixel " << x << ", " << y);
@@ -89,7 +89,7 @@ TEST_CASE("where three surfaces meet a pixel is right within a hundredth", "[ant
                                   is == 2 ? 1.0f : 0.0f, 1.0f),
               .tree = TreeId{is}};
     });
-    const SmoothPicture is = smooth_adaptively(picture, of(5, 5), fine);
+    const AntialiasedPicture is = antialias_adaptively(picture, of(5, 5), fine);
     glm::dvec3 expected(0.0);
     constexpr int side = 400;
     for (int j = 0; j < side; ++j) {
@@ -120,9 +120,9 @@ TEST_CASE("a thin thing between all corners is found amid many categories", "[an
   };
   const auto found = [&](std::uint32_t above) {
     Picture picture = picture_with(above);
-    SmoothSettings settings = of(12, 12);
+    AntialiasSettings settings = of(12, 12);
     settings.coverage = true;
-    const SmoothPicture is = smooth_adaptively(picture, settings, {.error = 0.01f});
+    const AntialiasedPicture is = antialias_adaptively(picture, settings, {.error = 0.01f});
     double share = 0.0;
     for (const TreeShare& each : is.coverage[is.index(5, 6)]) {
       share += each.tree == TreeId{99} ? static_cast<double>(each.share) : 0.0;
@@ -137,7 +137,7 @@ TEST_CASE("an edge that cannot be seen costs no ray", "[antialias]") {
   Picture picture =
       two_colours([](const glm::dvec2& p) { return p.x + 0.7 * p.y < 6.3; },
                   glm::vec4(glm::vec3(0.5f), 1.0f), glm::vec4(glm::vec3(0.503f), 1.0f));
-  CHECK(smooth_adaptively(picture, of(9, 9), {.error = 0.01f}).samples.colour == 100);
+  CHECK(antialias_adaptively(picture, of(9, 9), {.error = 0.01f}).samples.colour == 100);
 }
 
 TEST_CASE("the picture and its rays are the same whatever the number of threads", "[antialias]") {
@@ -153,15 +153,15 @@ TEST_CASE("the picture and its rays are the same whatever the number of threads"
   };
   Picture one = picture();
   Picture four = picture();
-  const SmoothPicture a = smooth_adaptively(one, of(40, 30, 1), {});
-  const SmoothPicture b = smooth_adaptively(four, of(40, 30, 4), {});
+  const AntialiasedPicture a = antialias_adaptively(one, of(40, 30, 1), {});
+  const AntialiasedPicture b = antialias_adaptively(four, of(40, 30, 4), {});
   CHECK(a.colour == b.colour);
   CHECK(a.samples.colour == b.samples.colour);
   CHECK(a.refined == b.refined);
 }
 
 // How much of each pixel the tree numbered 1 covers.
-double covered(const SmoothPicture& picture, std::size_t pixel) {
+double covered(const AntialiasedPicture& picture, std::size_t pixel) {
   double sum = 0.0;
   double all = 0.0;
   for (const TreeShare& each : picture.coverage[pixel]) {
@@ -174,19 +174,19 @@ double covered(const SmoothPicture& picture, std::size_t pixel) {
 
 TEST_CASE("coverage of a half-plane and of a circle is right within a five-hundredth",
           "[antialias][coverage]") {
-  SmoothSettings settings = of(100, 100);
+  AntialiasSettings settings = of(100, 100);
   settings.coverage = true;
   const glm::dvec2 normal(0.6, 0.8);
   const glm::dvec2 point(45.1, 44.7);
   Picture plane = two_colours([&](const glm::dvec2& p) {
     return normal.x * (p.x - point.x) + normal.y * (p.y - point.y) < 0.0;
   });
-  const SmoothPicture half = smooth_adaptively(plane, settings, {.error = 0.0005f});
+  const AntialiasedPicture half = antialias_adaptively(plane, settings, {.error = 0.0005f});
   const glm::dvec2 centre(50.3, 49.6);
   constexpr double radius = 44.0;
   Picture disc = two_colours(
       [&](const glm::dvec2& p) { return std::hypot(p.x - centre.x, p.y - centre.y) < radius; });
-  const SmoothPicture round = smooth_adaptively(disc, settings, {.error = 0.0005f});
+  const AntialiasedPicture round = antialias_adaptively(disc, settings, {.error = 0.0005f});
   double worst_half = 0.0;
   double worst_round = 0.0;
   for (int y = 0; y < 100; ++y) {
@@ -224,7 +224,7 @@ TEST_CASE("discs anywhere are covered well", "[antialias][property]") {
       return std::hypot(p.x - centre.x, p.y - centre.y) < radius;
     };
     Picture picture = two_colours(inside);
-    const SmoothPicture is = smooth_adaptively(picture, of(8, 8), fine);
+    const AntialiasedPicture is = antialias_adaptively(picture, of(8, 8), fine);
     for (int y = 0; y < 8; ++y) {
       for (int x = 0; x < 8; ++x) {
         constexpr int lines = 500;

@@ -23,16 +23,16 @@ Picture rings() {
   });
 }
 
-SmoothPicture smooth(const AdaptiveSettings& adaptive, int threads = 1) {
+AntialiasedPicture antialiased(const AdaptiveSettings& adaptive, int threads = 1) {
   Picture picture = rings();
-  return smooth_adaptively(
+  return antialias_adaptively(
       picture, {.width = width, .height = height, .threads = threads, .progress = {}}, adaptive);
 }
 
-double error_of(const SmoothPicture& is) {
+double error_of(const AntialiasedPicture& is) {
   Picture picture = rings();
-  static const SmoothPicture reference =
-      smooth_uniformly(picture, {.width = width, .height = height, .progress = {}}, 32);
+  static const AntialiasedPicture reference =
+      antialias_uniformly(picture, {.width = width, .height = height, .progress = {}}, 32);
   double sum = 0.0;
   for (std::size_t i = 0; i < is.colour.size(); ++i) {
     sum += std::pow(static_cast<double>(is.colour[i].r - reference.colour[i].r), 2.0);
@@ -43,7 +43,7 @@ double error_of(const SmoothPicture& is) {
 TEST_CASE("a budget is spent, but not exceeded", "[antialias][budget]") {
   double before = 1.0;
   for (const double budget : {1.3, 1.6, 2.0, 2.5}) {
-    const SmoothPicture is = smooth({.budget = budget});
+    const AntialiasedPicture is = antialiased({.budget = budget});
     const auto rays = static_cast<double>(is.samples.colour + is.samples.category_only);
     CAPTURE(budget, rays);
     CHECK(rays <= budget * width * height);
@@ -55,30 +55,30 @@ TEST_CASE("a budget is spent, but not exceeded", "[antialias][budget]") {
 }
 
 TEST_CASE("a budget below the corners leaves these alone", "[antialias][budget]") {
-  const SmoothPicture is = smooth({.budget = 1.0});
+  const AntialiasedPicture is = antialiased({.budget = 1.0});
   CHECK(is.samples.colour == (width + 1) * (height + 1));
   CHECK(is.refined == 0);
 }
 
 TEST_CASE("a budget that is more than can be used ends", "[antialias][budget]") {
-  const SmoothPicture is = smooth({.budget = 1000.0});
+  const AntialiasedPicture is = antialiased({.budget = 1000.0});
   CHECK(is.samples.colour < 300u * width * height);
   CHECK(error_of(is) < 0.002);
 }
 
 TEST_CASE("a budget buys about what an error that costs as much does", "[antialias][budget]") {
   for (const float error : {0.02f, 0.01f, 0.004f}) {
-    const SmoothPicture told = smooth({.error = error});
+    const AntialiasedPicture told = antialiased({.error = error});
     const auto rays = static_cast<double>(told.samples.colour + told.samples.category_only);
-    const SmoothPicture bought = smooth({.budget = (rays + 320.0) / (width * height)});
+    const AntialiasedPicture bought = antialiased({.budget = (rays + 320.0) / (width * height)});
     CAPTURE(error);
     CHECK(error_of(bought) < 1.15 * error_of(told));
   }
 }
 
 TEST_CASE("what a budget buys does not depend on threads", "[antialias][budget]") {
-  const SmoothPicture one = smooth({.budget = 1.7});
-  const SmoothPicture three = smooth({.budget = 1.7}, 3);
+  const AntialiasedPicture one = antialiased({.budget = 1.7});
+  const AntialiasedPicture three = antialiased({.budget = 1.7}, 3);
   CHECK((one.colour == three.colour));
   CHECK(one.samples.colour == three.samples.colour);
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Filter all_filters[] = {Filter::box, Filter::tent, Filter::gaussian, Filter::mitchell};
 
-SmoothSettings of(int width, int height, Filter filter, int threads = 1) {
+AntialiasSettings of(int width, int height, Filter filter, int threads = 1) {
   return {.width = width, .height = height, .threads = threads, .filter = filter, .progress = {}};
 }
 
@@ -53,9 +53,9 @@ TEST_CASE("a straight edge is filtered as its integral says", "[antialias][filte
   for (const Filter filter : all_filters) {
     for (const double edge : {6.0, 6.2, 6.55, 6.9}) {
       Picture picture = two_colours([&](const glm::dvec2& p) { return p.x < edge; });
-      const SmoothPicture uniform = smooth_uniformly(picture, of(12, 5, filter), 64);
-      const SmoothPicture adaptive =
-          smooth_adaptively(picture, of(12, 5, filter), {.error = 0.001f});
+      const AntialiasedPicture uniform = antialias_uniformly(picture, of(12, 5, filter), 64);
+      const AntialiasedPicture adaptive =
+          antialias_adaptively(picture, of(12, 5, filter), {.error = 0.001f});
       for (int x = 2; x < 10; ++x) {
         const double expected = left_of(filter, edge - (x + 0.5));
         CAPTURE(static_cast<int>(filter), edge, x);
@@ -77,9 +77,9 @@ TEST_CASE("filters give the same of slanted edges and shades by both methods",
             .tree = TreeId{is ? 1u : 0u}};
   });
   for (const Filter filter : all_filters) {
-    const SmoothPicture uniform = smooth_uniformly(picture, of(14, 12, filter), 32);
-    const SmoothPicture adaptive =
-        smooth_adaptively(picture, of(14, 12, filter), {.error = 0.001f});
+    const AntialiasedPicture uniform = antialias_uniformly(picture, of(14, 12, filter), 32);
+    const AntialiasedPicture adaptive =
+        antialias_adaptively(picture, of(14, 12, filter), {.error = 0.001f});
     for (std::size_t i = 0; i < uniform.colour.size(); ++i) {
       CAPTURE(static_cast<int>(filter), i);
       CHECK(adaptive.colour[i].g == Approx(uniform.colour[i].g).margin(0.003));
@@ -91,24 +91,25 @@ TEST_CASE("what is the same everywhere stays so, up to the picture's sides",
           "[antialias][filter]") {
   Picture picture([](const glm::dvec2&) -> ColourSample { return {.colour = glm::vec4(0.5f)}; });
   for (const Filter filter : all_filters) {
-    for (const glm::vec4& pixel : smooth_uniformly(picture, of(3, 2, filter), 3).colour) {
+    for (const glm::vec4& pixel : antialias_uniformly(picture, of(3, 2, filter), 3).colour) {
       CHECK(pixel.r == Approx(0.5f));
       CHECK(pixel.a == Approx(0.5f));
     }
-    for (const glm::vec4& pixel : smooth_adaptively(picture, of(3, 2, filter), {}).colour) {
+    for (const glm::vec4& pixel : antialias_adaptively(picture, of(3, 2, filter), {}).colour) {
       CHECK(pixel.r == Approx(0.5f));
     }
   }
 }
 
 TEST_CASE("filtered pictures do not depend on threads", "[antialias][filter]") {
-  const auto smooth = [](int threads) {
+  const auto antialiased = [](int threads) {
     Picture picture =
         two_colours([](const glm::dvec2& p) { return std::sin(p.x) + std::cos(1.3 * p.y) > 0; });
-    return std::pair(smooth_uniformly(picture, of(30, 21, Filter::mitchell, threads), 3).colour,
-                     smooth_adaptively(picture, of(30, 21, Filter::mitchell, threads), {}).colour);
+    return std::pair(
+        antialias_uniformly(picture, of(30, 21, Filter::mitchell, threads), 3).colour,
+        antialias_adaptively(picture, of(30, 21, Filter::mitchell, threads), {}).colour);
   };
-  CHECK((smooth(3) == smooth(1)));
+  CHECK((smooth(3) == antialiased(1)));
 }
 
 }  // namespace

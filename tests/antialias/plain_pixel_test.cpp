@@ -6,7 +6,7 @@
 #include <rapidcheck.h>
 
 #include "antialias/pictures.hpp"
-#include "antialias/square_smoother.hpp"
+#include "antialias/square_antialiaser.hpp"
 
 namespace raycat {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr int side = 5;
 constexpr int units = 1024;
 
-TEST_CASE("a plain pixel is what a square smoother makes of it", "[antialias][property]") {
+TEST_CASE("a plain pixel is what a square antialiaser makes of it", "[antialias][property]") {
   int plain_ones = 0;
   CHECK(rc::check("waves", [&] {
     const auto random = [] { return *rc::gen::inRange(-100, 101) / 100.0; };
@@ -28,10 +28,10 @@ TEST_CASE("a plain pixel is what a square smoother makes of it", "[antialias][pr
     lattice.trace_corners(1);
     const ThinPoints nothing_thin;
     const AdaptiveSettings settings{.error = 0.01f};
-    SquareSmoother smoother(lattice, nothing_thin, settings, false, 0);
+    SquareAntialiaser antialiaser(lattice, nothing_thin, settings, false, 0);
     if (const auto plain = plain_pixel(lattice, 2, 2, settings.error)) {
       ++plain_ones;
-      const SquareSmoother::Result& whole = smoother.smooth(2, 2, settings.error, nullptr);
+      const SquareAntialiaser::Result& whole = antialiaser.antialias(2, 2, settings.error, nullptr);
       RC_ASSERT_FALSE(whole.refined);
       RC_ASSERT(whole.error <= plain->error + 1e-6f);
       for (int channel = 0; channel < 4; ++channel) {

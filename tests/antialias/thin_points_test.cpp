@@ -55,7 +55,7 @@ TEST_CASE("what all corners miss is found where it is said to be", "[antialias]"
   const double area = std::numbers::pi * radius * radius;
   // One is said to be where nothing is.
   Told discs(in_disc, {middle, middle + glm::dvec2(2, 1), {3.9, 3.9}});
-  const SmoothPicture is = smooth_adaptively(
+  const AntialiasedPicture is = antialias_adaptively(
       discs, {.width = 4, .height = 4, .threads = 1, .coverage = true, .progress = {}},
       {.error = 0.0005f});
   CHECK(is.colour[is.index(0, 0)].g == Approx(area).margin(0.004));
@@ -89,7 +89,7 @@ TEST_CASE("a wire of any width and direction is covered as much as it is",
           return t > 0.0 && t < 10.0 && std::abs(glm::dot(p - start, across)) < 0.5 * width;
         },
         points);
-    const SmoothPicture is = smooth_adaptively(
+    const AntialiasedPicture is = antialias_adaptively(
         wire, {.width = 17, .height = 17, .threads = 1, .progress = {}}, {.error = 0.003f});
     double sum = 0.0;
     for (const glm::vec4& pixel : is.colour) {
@@ -106,9 +106,9 @@ TEST_CASE("what all corners miss is found within a budget, and no more is spent"
   }
   Told discs(in_disc, everywhere);
   for (const double budget : {1.2, 40.0}) {
-    const SmoothPicture is =
-        smooth_adaptively(discs, {.width = 16, .height = 16, .threads = 1, .progress = {}},
-                          {.error = 0.0f, .budget = budget});
+    const AntialiasedPicture is =
+        antialias_adaptively(discs, {.width = 16, .height = 16, .threads = 1, .progress = {}},
+                             {.error = 0.0f, .budget = budget});
     CHECK(is.samples.colour + is.samples.category_only <=
           std::max<std::uint64_t>(17 * 17, static_cast<std::uint64_t>(budget * 256)));
     double sum = 0.0;
@@ -123,7 +123,7 @@ TEST_CASE("what all corners miss is found within a budget, and no more is spent"
 
 TEST_CASE("looking where nothing is costs a ray", "[antialias]") {
   Told discs(in_disc, {{3.9, 3.9}, {1.1, 1.9}});
-  const SmoothPicture is = smooth_adaptively(
+  const AntialiasedPicture is = antialias_adaptively(
       discs, {.width = 4, .height = 4, .threads = 1, .progress = {}}, {.error = 0.002f});
   CHECK(is.samples.colour + is.samples.category_only == 25 + 2);
 }

@@ -32,23 +32,23 @@ class Smoother {
  public:
   Smoother(const Accel& accel, const Camera& camera) : accel_(accel), camera_(camera) {}
 
-  SmoothPicture uniform(int samples) const {
+  AntialiasedPicture uniform(int samples) const {
     SceneSampler sampler = new_sampler();
-    return smooth_uniformly(sampler, settings({}), samples);
+    return antialias_uniformly(sampler, settings({}), samples);
   }
-  SmoothPicture adaptive(const Progress& progress = {}) const {
+  AntialiasedPicture adaptive(const Progress& progress = {}) const {
     SceneSampler sampler = new_sampler();
-    return smooth_adaptively(sampler, settings(progress), {});
+    return antialias_adaptively(sampler, settings(progress), {});
   }
-  SmoothPicture whitted(float threshold, const Progress& progress = {}) const {
+  AntialiasedPicture whitted(float threshold, const Progress& progress = {}) const {
     SceneSampler sampler = new_sampler();
-    return smooth_recursively(sampler, settings(progress), part_by_colour(threshold, true),
-                              whitted_depth);
+    return antialias_recursively(sampler, settings(progress), subdivide_by_colour(threshold, true),
+                                 whitted_depth);
   }
 
  private:
   SceneSampler new_sampler() const { return {accel_, camera_, side, side, levels, 1}; }
-  static SmoothSettings settings(const Progress& progress) {
+  static AntialiasSettings settings(const Progress& progress) {
     return {.width = side, .height = side, .threads = 1, .progress = progress};
   }
 
@@ -67,7 +67,7 @@ float equal_threshold(const Smoother& smoother, const Pixels& reference, double 
   return good;
 }
 
-double extra_rays(const SmoothPicture& picture) {
+double extra_rays(const AntialiasedPicture& picture) {
   return static_cast<double>(picture.samples.colour + picture.samples.category_only) /
              (static_cast<double>(side) * side) -
          1.0;
@@ -102,8 +102,8 @@ const Match& match(const std::string& path) {
 void smoothing(benchmark::State& state, const char* file) {
   const Match& both = match(file);
   for ([[maybe_unused]] auto _ : state) {
-    SmoothPicture ours(0, 0);
-    SmoothPicture theirs(0, 0);
+    AntialiasedPicture ours(0, 0);
+    AntialiasedPicture theirs(0, 0);
     const std::vector<double> seconds = cpu_seconds_in_turns(
         {[&](const RenderSettings& turns) { ours = both.smoother.adaptive(turns.progress); },
          [&](const RenderSettings& turns) {

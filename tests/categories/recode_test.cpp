@@ -24,13 +24,18 @@ SurfaceTable surfaces() {
 
 // One pixel with these trees at its corners.
 CategoryImage image_of(const std::vector<RayTree>& trees, const Encoder& heap) {
-  CategoryImage image{.width = 1, .height = 1};
+  CategoryImage image{.width = 1, .height = 1, .encoder = heap};
   CategoryWords words;
   for (const RayTree& tree : trees) {
     encode(heap, tree, words);
     image.samples.push_back(image.table.intern(words));
   }
   return image;
+}
+
+CategoryImage recoded(const CategoryImage& image, const Detail& detail, const Encoder& to) {
+  CategoryTrees trees(image);
+  return recode(trees, detail, surfaces(), to);
 }
 
 using Ids = std::vector<CategoryId>;
@@ -40,7 +45,7 @@ TEST_CASE("an image in its own words is the same image", "[categories][recode]")
   const Encoder heap = GENERATE(Encoder(PackedHeap(scene)), Encoder(WideHeap(scene)));
   const CategoryImage image =
       image_of({paper::fig4_a, paper::fig2_a, paper::fig2_c, paper::fig4_a}, heap);
-  const CategoryImage same = recode(image, heap, {}, surfaces(), heap);
+  const CategoryImage same = recoded(image, {}, heap);
   CHECK(same.samples == image.samples);
   REQUIRE(same.table.size() == 3);
   for (std::uint32_t id = 0; id < 3; ++id) {
@@ -54,7 +59,7 @@ TEST_CASE("trees that a method confuses become one category", "[categories][reco
       image_of({paper::fig4_a, paper::fig3_a, paper::fig4_b, paper::fig3_b}, heap);
   CHECK(image.samples == Ids{first, second, third, CategoryId{3}});
   const auto by = [&](Method method) {
-    return recode(image, heap, {}, surfaces(), make_encoder(method, scene)).samples;
+    return recoded(image, {}, make_encoder(method, scene)).samples;
   };
   CHECK(by(Method::heap) == image.samples);
   CHECK(by(Method::string) == Ids{first, second, first, third});
@@ -66,9 +71,7 @@ TEST_CASE("a lower level of detail joins what it does not tell apart", "[categor
   const Encoder heap = PackedHeap(scene);
   const CategoryImage image =
       image_of({paper::fig4_a, paper::fig4_b, paper::fig2_a, paper::fig2_b}, heap);
-  const auto at = [&](const Detail& detail) {
-    return recode(image, heap, detail, surfaces(), heap);
-  };
+  const auto at = [&](const Detail& detail) { return recoded(image, detail, heap); };
   CHECK(at({.levels = 1}).samples == Ids{first, first, second, third});  // C, C, A, AL
   CHECK(at({.levels = 1, .lights = false}).samples == Ids{first, first, second, second});
   CHECK(at({.levels = 1, .lights = false}).table.size() == 2);
@@ -79,7 +82,8 @@ TEST_CASE("words are made once for each distinct tree", "[categories][recode]") 
   const CategoryImage image =
       image_of({paper::fig3_a, paper::fig3_a, paper::fig3_b, paper::fig3_a}, heap);
   std::vector<RayTree> seen;
-  const CategoryImage sizes = recode(image, heap, [&](RayTree& tree, CategoryWords& words) {
+  CategoryTrees trees(image);
+  const CategoryImage sizes = recode(trees, [&](const RayTree& tree, CategoryWords& words) {
     seen.push_back(tree);
     words.assign(1, static_cast<std::uint32_t>(tree.size()));
   });
@@ -92,7 +96,7 @@ TEST_CASE("size and texture marks stay", "[categories][recode]") {
   const Encoder heap = PackedHeap(scene);
   CategoryImage image = image_of({{}, {}, {}, {}}, heap);
   image.textured = {1, 0, 0, 1};
-  const CategoryImage same = recode(image, heap, {}, surfaces(), heap);
+  const CategoryImage same = recoded(image, {}, heap);
   CHECK(same.width == 1);
   CHECK(same.height == 1);
   CHECK(same.textured == image.textured);
@@ -101,7 +105,7 @@ TEST_CASE("size and texture marks stay", "[categories][recode]") {
 TEST_CASE("what is not by the heap method cannot be recoded", "[categories][recode]") {
   const Encoder string = make_encoder(Method::string, scene);
   const CategoryImage image = image_of({{}, {}, {}, {}}, string);
-  CHECK_THROWS_AS(recode(image, string, {}, surfaces(), string), std::logic_error);
+  CHECK_THROWS_AS(recoded(image, {}, string), std::logic_error);
 }
 
 }  // namespace

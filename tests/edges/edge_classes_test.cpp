@@ -35,7 +35,7 @@ RayNode node(HeapPosition position, std::uint32_t surface, LightMask lights = 0)
 
 CategoryImage image_of(int width, int height, const std::vector<RayTree>& trees,
                        const Encoder& heap = packed) {
-  CategoryImage image{.width = width, .height = height};
+  CategoryImage image{.width = width, .height = height, .encoder = heap};
   CategoryWords words;
   for (const RayTree& tree : trees) {
     encode(heap, tree, words);
@@ -44,10 +44,17 @@ CategoryImage image_of(int width, int height, const std::vector<RayTree>& trees,
   return image;
 }
 
+EdgeClasses classes_of(const CategoryImage& image) {
+  CategoryTrees trees(image);
+  return classify_edges(trees, surfaces());
+}
+
 // The mask of a pixel whose sample has tree `a` and whose right neighbour has `b`.
 std::uint8_t mask(const RayTree& a, const RayTree& b, Granularity ids = Granularity::face,
                   const Encoder& heap = packed) {
-  return classify_edges(image_of(1, 1, {a, b, a, a}, heap), heap, surfaces(), ids).masks.at(0);
+  CategoryImage image = image_of(1, 1, {a, b, a, a}, heap);
+  image.detail.ids = ids;
+  return classes_of(image).masks.at(0);
 }
 
 TEST_CASE("what differs at the root names the class", "[edges][classes]") {
@@ -250,7 +257,7 @@ TEST_CASE("a mask is 0 exactly off edges, and has a way of differing", "[edges][
       samples.push_back(trees[*rc::gen::inRange<std::size_t>(0, 3)]);
     }
     const CategoryImage image = image_of(4, 3, samples);
-    const EdgeClasses classes = classify_edges(image, packed, surfaces(), Granularity::face);
+    const EdgeClasses classes = classes_of(image);
     const EdgeMap edges = detect_edges(image);
     std::array<std::uint64_t, 6> counts{};
     for (std::size_t i = 0; i < edges.pixels.size(); ++i) {

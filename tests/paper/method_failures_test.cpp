@@ -38,7 +38,8 @@ class Case {
   CategoryImage by_exact_product() const {
     const PrimesProduct method(extent(file_.scene, {}, RenderSettings{}.levels));
     std::vector<std::uint32_t> factors;
-    return recode(heap(), full_.encoder, [&](RayTree& tree, CategoryWords& words) {
+    CategoryTrees trees(heap());
+    return recode(trees, [&](const RayTree& tree, CategoryWords& words) {
       method.list_factors(tree, factors);
       words.clear();
       export_bits(exact_product(factors), std::back_inserter(words), 32);
@@ -68,7 +69,7 @@ class Case {
  private:
   RayTree tree(int x, int y) const {
     RayTree result;
-    decode(full_.encoder, heap().table.words(heap().at(x, y)), result);
+    decode(*heap().encoder, heap().table.words(heap().at(x, y)), result);
     return result;
   }
 

@@ -23,7 +23,7 @@ TEST_CASE("coverage is by categories, the largest first, and sums to one", "[ren
   const auto share = [](std::uint32_t tree, float of) {
     return TreeShare{.tree = TreeId{tree}, .share = of};
   };
-  SmoothPicture picture(2, 1);
+  AntialiasedPicture picture(2, 1);
   picture.coverage = {{share(4, 0.25f), share(0, 0.25f), share(2, 0.125f), share(0, 0.375f)},
                       {share(3, 0.5f), share(1, 0.25f), share(0, 0.25f)}};
 

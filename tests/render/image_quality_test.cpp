@@ -36,7 +36,7 @@ TEST_CASE("SSIM is 1 of equals, and falls with contrast and brightness lost", "[
 }
 
 TEST_CASE("differences are absolute, magnified and limited", "[app][quality]") {
-  const Pixels is = difference({glm::vec3(0.5f)}, {glm::vec3(0.4f, 0.6f, 1.0f)}, 4.0f);
+  const Pixels is = difference_image({glm::vec3(0.5f)}, {glm::vec3(0.4f, 0.6f, 1.0f)}, 4.0f);
   CHECK(is[0].r == Approx(0.4f));
   CHECK(is[0].g == Approx(0.4f));
   CHECK(is[0].b == 1.0f);

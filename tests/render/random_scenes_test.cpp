@@ -90,12 +90,13 @@ TEST_CASE("one trace recoded at a lower level of detail is a rendering at that l
     const Scene scene = draw_scene();
     const Accel accel(scene);
     const Rendering full = render(accel, view, settings());
+    CategoryTrees trees(full.categories);
     const Detail detail{.levels = 1 + draw_below(6),
                         .lights = draw_below(2) == 0,
                         .ids = static_cast<Granularity>(draw_below(3))};
     for (const Method method : {Method::heap, Method::string, Method::primes, Method::godel}) {
       const Rendering direct = render(accel, view, settings(method, detail));
-      RC_ASSERT(same(recode(full.categories, full.encoder, detail, scene.surfaces, direct.encoder),
+      RC_ASSERT(same(recode(trees, detail, scene.surfaces, *direct.categories.encoder),
                      direct.categories));
     }
   }));
@@ -133,11 +134,12 @@ TEST_CASE("the heap method finds every edge that another method finds", "[render
     const Accel accel(scene);
     const Rendering full = render(accel, view, settings());
     const CategoryImage& heap = full.categories;
+    CategoryTrees trees(heap);
     const EdgeMap true_edges = detect_edges(heap);
     RC_CLASSIFY(heap.table.size() > 50, "over 50 categories");
     for (const Method method : {Method::string, Method::primes, Method::godel}) {
       const Encoder to = make_encoder(method, extent(scene, {}, 6));
-      const CategoryImage other = recode(heap, full.encoder, {}, scene.surfaces, to);
+      const CategoryImage other = recode(trees, {}, scene.surfaces, to);
       const EdgeMap edges = detect_edges(other);
       for (std::size_t i = 0; i < edges.pixels.size(); ++i) {
         RC_ASSERT(edges.pixels[i] <= true_edges.pixels[i]);

@@ -24,17 +24,14 @@ RenderSettings settings(int side, int threads) {
   return {.width = side, .height = side, .levels = 4, .threads = threads};
 }
 
-// Sample (x, y) of the lattice goes through the centre of pixel (x, y).
+// The table of `rendering` grows by what is found.
 RefinedEdges refined(const Accel& accel, Rendering& rendering, int levels, int threads) {
-  const int side = rendering.categories.width;
-  return refine_edges(rendering.categories, levels, [&](std::span<const glm::dvec2> points) {
-    std::vector<glm::dvec2> places;
-    for (const glm::dvec2& point : points) {
-      places.push_back(point + 0.5);
-    }
-    return categorize(accel, view, settings(side, threads), places, rendering.encoder,
-                      rendering.categories.table, rendering.rays);
-  });
+  const RenderSettings as = settings(rendering.categories.width, threads);
+  FinerSamples samples(accel, view, as, rendering.categories);
+  RefinedEdges edges = refine_edges(rendering.categories, levels, std::ref(samples));
+  rendering.categories.table = samples.table();
+  rendering.rays += samples.rays();
+  return edges;
 }
 
 TEST_CASE("refined edges do not depend on the number of threads", "[render][refine]") {

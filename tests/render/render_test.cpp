@@ -71,7 +71,7 @@ TEST_CASE("a sample's category is that of its own ray tree", "[categories][rende
   const Scene scene = shiny();
   const Accel accel(scene);
   const Rendering rendering = render(accel, view, settings(2));
-  const Encoder& encoder = rendering.encoder;
+  const Encoder& encoder = *rendering.categories.encoder;
   const ImagePlane plane(view, 60, 40);
   TraceScratch scratch;
   for (int y = 0; y <= 40; y += 4) {

@@ -17,23 +17,24 @@ TEST_CASE("trees differ at a node if all that differs hangs below it", "[render]
     return RayNode{.position = position, .lights = lights, .surface = SurfaceId{surface}};
   };
   const RayTree tree{node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 3)};
-  CHECK_FALSE(difference(tree, tree));
+  CHECK_FALSE(tree_difference(tree, tree));
   const RayTree other{node(2, 1), node(3, 5, 2), node(1, 0, 3)};
-  const auto apart = difference(tree, other).value();
+  const auto apart = tree_difference(tree, other).value();
   CHECK(apart.position == 3);
   CHECK(apart.a == SurfaceId{2});
   CHECK(apart.b == SurfaceId{5});
   CHECK_FALSE(apart.light);
-  const auto lit = difference(tree, {node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 1)}).value();
+  const auto lit =
+      tree_difference(tree, {node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 1)}).value();
   CHECK(lit.position == 1);
   CHECK(lit.light == 1);
   CHECK(lit.lit_in_a);
-  const auto missing = difference(tree, {node(6, 4), node(3, 2, 1), node(1, 0, 3)}).value();
+  const auto missing = tree_difference(tree, {node(6, 4), node(3, 2, 1), node(1, 0, 3)}).value();
   CHECK(missing.position == 2);
   CHECK_FALSE(missing.b);
   // Two lights, and two branches, are more than one question.
-  CHECK_FALSE(difference(tree, {node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 0)}));
-  CHECK_FALSE(difference(tree, {node(6, 5), node(2, 9), node(3, 2, 1), node(1, 0, 3)}));
+  CHECK_FALSE(tree_difference(tree, {node(6, 4), node(2, 1), node(3, 2, 1), node(1, 0, 0)}));
+  CHECK_FALSE(tree_difference(tree, {node(6, 5), node(2, 9), node(3, 2, 1), node(1, 0, 3)}));
 }
 
 // A mirror, glass, a box and a floor under two lights.
@@ -103,12 +104,12 @@ TEST_CASE("a transparent backdrop leaves out what rays see that leave at once",
   CHECK(left_out < 850);
 }
 
-TEST_CASE("a scene is smoothed alike whatever the number of threads", "[render][antialias]") {
+TEST_CASE("a scene is antialiased alike whatever the number of threads", "[render][antialias]") {
   const Scene scene = mixed_scene();
   const Accel accel(scene);
-  const auto smooth = [&](int threads) {
+  const auto antialiased = [&](int threads) {
     SceneSampler sampler(accel, camera, 60, 45, 6, threads);
-    const SmoothPicture picture = smooth_adaptively(
+    const AntialiasedPicture picture = antialias_adaptively(
         sampler, {.width = 60, .height = 45, .threads = threads, .coverage = true, .progress = {}},
         {.error = 0.003f});
     const CoverageImage coverage = coverage_image(
@@ -117,8 +118,8 @@ TEST_CASE("a scene is smoothed alike whatever the number of threads", "[render][
     return std::tuple(picture.colour, picture.samples.colour, picture.samples.category_only,
                       coverage.ids, coverage.shares, sampler.rays().shadow);
   };
-  const auto one = smooth(1);
-  CHECK((smooth(4) == one));
+  const auto one = antialiased(1);
+  CHECK((antialiased(4) == one));
   CHECK(std::get<2>(one) > 0);  // rays that only told two categories apart
 }
 

@@ -11,7 +11,7 @@ constexpr SurfaceId A{0}, B{1};
 
 // One row of pixels, each with a tree of its own.
 CategoryImage row(const std::vector<RayTree>& trees, const Encoder& heap) {
-  CategoryImage image{.width = static_cast<int>(trees.size()), .height = 1};
+  CategoryImage image{.width = static_cast<int>(trees.size()), .height = 1, .encoder = heap};
   CategoryWords words;
   for (int y = 0; y < 2; ++y) {
     for (std::size_t x = 0; x <= trees.size(); ++x) {
@@ -36,6 +36,12 @@ const std::vector<RayTree> trees{
      {.position = 1, .lights = 0b100, .surface = B}},
     {{.position = 2, .surface = A}, {.position = 3, .surface = A}, {.position = 1, .surface = B}}};
 
+ViewImage shown(const Encoder& encoder, View view) {
+  const CategoryImage image = row(trees, encoder);
+  CategoryTrees of(image);
+  return view_image(of, view);
+}
+
 glm::ivec3 bytes(const glm::vec3& colour) {
   glm::ivec3 result;
   for (int c = 0; c < 3; ++c) {
@@ -46,7 +52,7 @@ glm::ivec3 bytes(const glm::vec3& colour) {
 
 std::vector<glm::ivec3> shown(View view) {
   std::vector<glm::ivec3> colours;
-  for (const glm::vec3& pixel : view_image(row(trees, heap), heap, view).image.pixels) {
+  for (const glm::vec3& pixel : shown(heap, view).image.pixels) {
     colours.push_back(bytes(pixel));
   }
   return colours;
@@ -88,15 +94,15 @@ TEST_CASE("the branch is the one with more nodes", "[render][view]") {
 }
 
 TEST_CASE("legends say the range, and every view has a name", "[render][view]") {
-  CHECK(view_image(row(trees, heap), heap, View::nodes).legend ==
+  CHECK(shown(heap, View::nodes).legend ==
         "nodes: viridis from 0 (68,1,84) to 4 (253,231,37); white: no hit that counts");
   CHECK(name(View::branch) == "branch");
 }
 
 TEST_CASE("trees can be seen only in heap categories", "[render][view]") {
   const Encoder string = make_encoder(Method::string, {.levels = 8, .lights = 3, .surfaces = 2});
-  CHECK_THROWS_AS(view_image(row(trees, string), string, View::depth), std::logic_error);
-  CHECK_NOTHROW(view_image(row(trees, string), string, View::category));
+  CHECK_THROWS_AS(shown(string, View::depth), std::logic_error);
+  CHECK_NOTHROW(shown(string, View::category));
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include <cstdio>
 
-#include <categories/category_image.hpp>
-#include <edges/edge_map.hpp>
-#include <geometry/placed_shape.hpp>
-#include <io/load_scene.hpp>
-#include <render/render.hpp>
+#include <raycat/categories/category_image.hpp>
+#include <raycat/edges/edge_map.hpp>
+#include <raycat/geometry/placed_shape.hpp>
+#include <raycat/io/load_scene.hpp>
+#include <raycat/render/render.hpp>
 
 // Uses one thing of each library: an edge between two categories, a crossing, and a scene file
 // rendered.

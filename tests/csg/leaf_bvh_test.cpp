@@ -1,4 +1,4 @@
-#include "csg/leaf_index.hpp"
+#include "csg/leaf_bvh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ TEST_CASE("the index finds the boxes that a line meets, and hardly any other", "
   CHECK(rc::check("boxes", [] {
     Dice dice;
     const std::vector<Bounds> boxes = any_boxes(dice);
-    const LeafIndex index(boxes);
+    const LeafBvh index(boxes);
     const double size = longest_half(boxes);
     for (int i = 0; i < 50; ++i) {
       const Ray ray = any_line(dice, boxes);
@@ -118,8 +118,8 @@ TEST_CASE("a search finds the boxes of a window in order, no sooner than asked",
     const double size = longest_half(boxes);
     boxes.push_back({.min = glm::dvec3(-infinity), .max{infinity, 0.0, infinity}});
     boxes.emplace_back();  // empty
-    const LeafIndex index(boxes);
-    LeafIndex::Search search;
+    const LeafBvh index(boxes);
+    LeafBvh::Search search;
     for (int i = 0; i < 30; ++i) {
       boxes.resize(boxes.size() - 2);
       const Ray ray = any_line(dice, boxes);
@@ -156,7 +156,7 @@ TEST_CASE("boxes of very unlike sizes are found", "[csg][index]") {
     const double size = std::pow(10.0, k);
     boxes.push_back({.min = glm::dvec3(0.5 * size), .max = glm::dvec3(size)});
   }
-  const LeafIndex index(boxes);
+  const LeafBvh index(boxes);
   std::size_t met = 0;
   index.visit({.origin = glm::dvec3(-1.0), .direction = glm::dvec3(1.0)},
               [&](std::uint32_t) { ++met; });
@@ -168,9 +168,9 @@ TEST_CASE("boxes of very unlike sizes are found", "[csg][index]") {
 }
 
 TEST_CASE("an index of no boxes meets nothing", "[csg][index]") {
-  const LeafIndex index({});
+  const LeafBvh index({});
   index.visit({}, [](std::uint32_t) { FAIL(); });
-  LeafIndex::Search search;
+  LeafBvh::Search search;
   search.start(index, {}, {});
   CHECK_FALSE(search.next(infinity));
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include <categories/recode.hpp>
+#include <raycat/categories/recode.hpp>
 
 struct Worker {
   Tracer tracer;
@@ -42,6 +42,7 @@ raycat::CategoryImage categorize(const Tracer& tracer, std::size_t threads) {
   raycat::CategoryImage categories;
   categories.width = width;
   categories.height = height;
+  categories.encoder = encoder;
   categories.samples.resize((width + 1) * (height + 1));
   std::vector<Worker> workers(threads, Worker{tracer, {}});
   std::vector<std::thread> running;
@@ -79,7 +80,8 @@ raycat::CategoryImage outlines(const Tracer& tracer, const raycat::CategoryImage
   const raycat::Detail detail{.levels = 2, .lights = false};
   const raycat::Encoder encoder = raycat::make_encoder(
       raycat::Method::heap, {.levels = 2, .lights = 0, .surfaces = surfaces.faces()});
-  return raycat::recode(categories, heap(tracer), detail, surfaces, encoder);
+  raycat::CategoryTrees trees(categories);
+  return raycat::recode(trees, detail, surfaces, encoder);
 }
 
 int main(int argc, char** argv) {

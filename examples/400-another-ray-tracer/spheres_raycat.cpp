@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include <categories/category_image.hpp>
-#include <categories/encoder.hpp>
-#include <categories/listing.hpp>
-#include <edges/edge_map.hpp>
+#include <raycat/categories/category_image.hpp>
+#include <raycat/categories/encoder.hpp>
+#include <raycat/categories/listing.hpp>
+#include <raycat/edges/edge_map.hpp>
 
 struct Vec {
   double x, y, z;

@@ -1,4 +1,4 @@
-#include "antialias/square_smoother.hpp"
+#include "antialias/square_antialiaser.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace raycat {
 namespace {
 
-constexpr int deepest = 4;  // times that a pixel is parted
+constexpr int deepest = 4;  // times that a pixel is subdivided
 
 }  // namespace
 
-SquareSmoother::Result& SquareSmoother::smooth(int x, int y, float error, Patch* patch) {
+SquareAntialiaser::Result& SquareAntialiaser::antialias(int x, int y, float error, Patch* patch) {
   result_ = {};
   samples_.start(error);
   patch_ = patch;
@@ -30,7 +30,7 @@ SquareSmoother::Result& SquareSmoother::smooth(int x, int y, float error, Patch*
 // Is `test(met, from, to)` true of all samples that there are on the square's sides between two
 // corners, numbered in turn, of which `from` is the upper or left one?
 template <typename Test>
-bool SquareSmoother::all_on_sides(const Square& square, const Test& test) {
+bool SquareAntialiaser::all_on_sides(const Square& square, const Test& test) {
   for (std::size_t i = 0; i < corner_place.size(); ++i) {
     std::size_t from = i;
     std::size_t to = (i + 1) % 4;
@@ -47,7 +47,7 @@ bool SquareSmoother::all_on_sides(const Square& square, const Test& test) {
   return true;
 }
 
-glm::vec4 SquareSmoother::integrate(const Square& square, const Corners& corners) {
+glm::vec4 SquareAntialiaser::integrate(const Square& square, const Corners& corners) {
   const bool one = std::ranges::all_of(
       corners, [&](const ColourSample* corner) { return corner->tree == corners[0]->tree; });
   if (one || samples_.by_colour()) {
@@ -56,20 +56,21 @@ glm::vec4 SquareSmoother::integrate(const Square& square, const Corners& corners
     };
     if (!samples_.by_colour() &&
         (meets_another(square, corners[0]->tree) || find_thin(square, of_another))) {
-      return part(square, corners);
+      return subdivide(square, corners);
     }
     if (const auto smooth = as_smooth(square, corners)) {
       return *smooth;
     }
     const bool textured = std::ranges::any_of(corners, &ColourSample::textured);
-    return textured || samples_.by_colour() ? as_parts(square, corners) : part(square, corners);
+    return textured || samples_.by_colour() ? as_parts(square, corners)
+                                            : subdivide(square, corners);
   }
   return as_parts(square, corners);
 }
 
 // A square that is not cut: its mean. Corners cover a quarter each of a share of it.
-glm::vec4 SquareSmoother::whole(const Square& square, const Corners& corners, const glm::vec4& mean,
-                                float share) {
+glm::vec4 SquareAntialiaser::whole(const Square& square, const Corners& corners,
+                                   const glm::vec4& mean, float share) {
   for (const ColourSample* corner : corners) {
     cover(corner->tree, 0.25f * share * samples_.area(square));
   }
@@ -82,14 +83,14 @@ glm::vec4 SquareSmoother::whole(const Square& square, const Corners& corners, co
 }
 
 // Where a square is in its pixel.
-glm::vec2 SquareSmoother::place(const Square& square) const {
+glm::vec2 SquareAntialiaser::place(const Square& square) const {
   return glm::vec2(square.at % samples_.lattice().units()) /
          static_cast<float>(samples_.lattice().units());
 }
 
 // In four, each integrated by itself. The samples that this puts on the pixel's borders tell its
 // neighbours something.
-glm::vec4 SquareSmoother::part(const Square& square, const Corners& corners) {
+glm::vec4 SquareAntialiaser::subdivide(const Square& square, const Corners& corners) {
   if (square.size <= samples_.lattice().units() >> deepest) {
     return whole(square, corners, mean_of(corners));
   }
@@ -121,7 +122,7 @@ glm::vec4 SquareSmoother::part(const Square& square, const Corners& corners) {
 }
 
 // Has a sample on the square's sides another tree?
-bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
+bool SquareAntialiaser::meets_another(const Square& square, TreeId tree) {
   return !all_on_sides(square, [&](const SampleLattice::OnSide& met, std::size_t /*from*/,
                                    std::size_t /*to*/) { return met.sample->tree == tree; });
 }
@@ -130,7 +131,7 @@ bool SquareSmoother::meets_another(const Square& square, TreeId tree) {
 // `expected(met, at)`, of a sample and its place in units of the square, is not nothing, that is
 // the colour taken for it.
 template <typename Expected>
-bool SquareSmoother::find_thin(const Square& square, const Expected& expected) {
+bool SquareAntialiaser::find_thin(const Square& square, const Expected& expected) {
   const float area = samples_.area(square);
   const bool found = std::ranges::any_of(thin_here_, [&](const glm::ivec2& point) {
     const glm::ivec2 from = point - square.at;
@@ -152,7 +153,8 @@ bool SquareSmoother::find_thin(const Square& square, const Expected& expected) {
 
 // The integral of the quadratic that second differences with the samples one square further tell;
 // nothing if it may be off by more than is allowed.
-std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const Corners& corners) {
+std::optional<glm::vec4> SquareAntialiaser::as_smooth(const Square& square,
+                                                      const Corners& corners) {
   const float allowed = samples_.error() / samples_.area(square);
   // Half of the greatest difference cannot be exceeded by much, and most squares are flat.
   constexpr float without_neighbours = 0.08f;
@@ -199,19 +201,19 @@ std::optional<glm::vec4> SquareSmoother::as_smooth(const Square& square, const C
   return whole(square, corners, mean_of(corners) - correction);
 }
 
-glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners) {
+glm::vec4 SquareAntialiaser::as_parts(const Square& square, const Corners& corners) {
   const float a = samples_.area(square);
   const CornerLabels labels =
       label_corners(corners, samples_.by_colour(), samples_.error() / a, 0.15f);
   if (labels.count == 1 || labels.apart * a / 4.0f < samples_.error()) {
     const auto one = as_one(square, corners, labels.farthest);
-    return one ? *one : part(square, corners);
+    return one ? *one : subdivide(square, corners);
   }
   if (labels.count == 2) {
     // The border of something thin may bend as much as a border can.
     const bool bent = found_thin_ && border_bulge * labels.apart * a > samples_.error();
     const auto two = bent || cluttered(square) ? std::nullopt : as_two(square, corners, labels);
-    return two ? *two : part(square, corners);
+    return two ? *two : subdivide(square, corners);
   }
   const ColourSample& centre = samples_.sample(square.at + square.size / 2);
   if (labels.apart * a / 8.0f < samples_.error()) {
@@ -219,12 +221,12 @@ glm::vec4 SquareSmoother::as_parts(const Square& square, const Corners& corners)
     cover(centre.tree, 0.5f * a);
     return whole(square, corners, 0.5f * (mean_of(corners) + centre.colour), 0.5f);
   }
-  return part(square, corners);
+  return subdivide(square, corners);
 }
 
 // Are there so many categories among the samples around a pixel that a border through it is hardly
 // a straight one? Small things are then near, and may be in it without showing at its corners.
-bool SquareSmoother::cluttered(const Square& square) {
+bool SquareAntialiaser::cluttered(const Square& square) {
   if (samples_.by_colour() || !samples_.is_pixel(square)) {
     return false;
   }
@@ -241,8 +243,8 @@ bool SquareSmoother::cluttered(const Square& square) {
 }
 
 // An edge that cannot be seen; nothing if a sample on the sides is far from what the corners tell.
-std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corners& corners,
-                                                float greatest) {
+std::optional<glm::vec4> SquareAntialiaser::as_one(const Square& square, const Corners& corners,
+                                                   float greatest) {
   const float allowed = std::max(4.0f * samples_.error() / samples_.area(square), greatest);
   const bool expected =
       all_on_sides(square, [&](const SampleLattice::OnSide& met, std::size_t from, std::size_t to) {
@@ -259,8 +261,8 @@ std::optional<glm::vec4> SquareSmoother::as_one(const Square& square, const Corn
 }
 
 // Two parts with a straight border between them; nothing if something is against it.
-std::optional<glm::vec4> SquareSmoother::as_two(const Square& square, const Corners& corners,
-                                                const CornerLabels& labels) {
+std::optional<glm::vec4> SquareAntialiaser::as_two(const Square& square, const Corners& corners,
+                                                   const CornerLabels& labels) {
   const auto two = cut(samples_, square, corners, labels);
   if (!two) {
     return std::nullopt;

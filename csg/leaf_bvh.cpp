@@ -1,4 +1,4 @@
-#include "csg/leaf_index.hpp"
+#include "csg/leaf_bvh.hpp"
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@ constexpr float float_ulp = 0x1p-23f;
 
 }  // namespace
 
-std::optional<LeafIndex::Line> LeafIndex::line(const Ray& ray, const Interval& window) const {
+std::optional<LeafBvh::Line> LeafBvh::line(const Ray& ray, const Interval& window) const {
   if (nodes_.empty()) {
     return std::nullopt;
   }
@@ -48,7 +48,7 @@ std::optional<LeafIndex::Line> LeafIndex::line(const Ray& ray, const Interval& w
   return line;
 }
 
-void LeafIndex::Search::start(const LeafIndex& index, const Ray& ray, const Interval& window) {
+void LeafBvh::Search::start(const LeafBvh& index, const Ray& ray, const Interval& window) {
   index_ = &index;
   steps_.clear();
   for (const std::uint32_t box : index.unbounded_) {
@@ -62,7 +62,7 @@ void LeafIndex::Search::start(const LeafIndex& index, const Ray& ray, const Inte
   }
 }
 
-std::optional<std::uint32_t> LeafIndex::Search::next(double limit) {
+std::optional<std::uint32_t> LeafBvh::Search::next(double limit) {
   constexpr auto farther = [](const Step& a, const Step& b) { return a.t > b.t; };
   const double along = (limit - line_.t_origin) * line_.per_t;
   while (!steps_.empty() && !(static_cast<double>(steps_.front().t) > along)) {

@@ -21,12 +21,12 @@ namespace raycat {
 /// side by side in single precision: two cache lines tell of four boxes. Boxes are larger by what
 /// rounding may do, so that one which is met is always found, and by no more than 1e-6 of the half
 /// size of the longest side of all of them, so that little else is.
-class LeafIndex {
+class LeafBvh {
  public:
   class Search;
 
   /// Empty boxes are never met, unbounded ones always. At most 2^31 boxes.
-  explicit LeafIndex(std::span<const Bounds> boxes);
+  explicit LeafBvh(std::span<const Bounds> boxes);
 
   /// Calls `met(i)` for each box that the line meets. In no particular order.
   template <typename Met>
@@ -91,10 +91,10 @@ class LeafIndex {
 
 /// Finds boxes in the order in which a line comes to them, looking no further than it is asked to.
 /// One is reused from line to line.
-class LeafIndex::Search {
+class LeafBvh::Search {
  public:
   /// Unbounded boxes come first. `index` must outlive the search.
-  void start(const LeafIndex& index, const Ray& ray, const Interval& window);
+  void start(const LeafBvh& index, const Ray& ray, const Interval& window);
 
   /// The next box that meets the window, if the line comes to it up to `limit`; boxes behind the
   /// window's begin are come to there.
@@ -106,12 +106,12 @@ class LeafIndex::Search {
     std::uint32_t child = 0;
   };
 
-  const LeafIndex* index_ = nullptr;
+  const LeafBvh* index_ = nullptr;
   Line line_{};
   std::vector<Step> steps_;  // a heap, the nearest on top
 };
 
-inline LeafIndex::Meeting LeafIndex::meet(const Line& line, const Node& node) noexcept {
+inline LeafBvh::Meeting LeafBvh::meet(const Line& line, const Node& node) noexcept {
   Meeting meeting;
   meeting.begin.fill(line.begin);
   meeting.end.fill(line.end);
@@ -129,7 +129,7 @@ inline LeafIndex::Meeting LeafIndex::meet(const Line& line, const Node& node) no
 }
 
 template <typename Met>
-void LeafIndex::visit(const Ray& ray, Met&& met) const {
+void LeafBvh::visit(const Ray& ray, Met&& met) const {
   for (const std::uint32_t box : unbounded_) {
     met(box);
   }

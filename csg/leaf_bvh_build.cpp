@@ -4,7 +4,7 @@
 
 #include <glm/common.hpp>
 
-#include "csg/leaf_index.hpp"
+#include "csg/leaf_bvh.hpp"
 
 namespace raycat {
 namespace {
@@ -99,7 +99,7 @@ std::size_t split(std::span<Entry> entries, bool by_area) {
 }  // namespace
 
 // What is to become a child of a node.
-struct LeafIndex::Part {
+struct LeafBvh::Part {
   std::span<Entry> entries;
   Bounds bounds;
   std::uint32_t splits = 0;
@@ -112,7 +112,7 @@ struct LeafIndex::Part {
   }
 };
 
-LeafIndex::LeafIndex(std::span<const Bounds> boxes) {
+LeafBvh::LeafBvh(std::span<const Bounds> boxes) {
   assert(boxes.size() <= box_bit);
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -132,7 +132,7 @@ LeafIndex::LeafIndex(std::span<const Bounds> boxes) {
   }
 }
 
-void LeafIndex::build(std::vector<Entry> entries) {
+void LeafBvh::build(std::vector<Entry> entries) {
   struct Open {
     Part part;
     std::size_t parent = 0;
@@ -187,7 +187,7 @@ void LeafIndex::build(std::vector<Entry> entries) {
   bounds_.max += 2.0 * rounding * scale_;
 }
 
-void LeafIndex::set_child(Node& node, std::size_t child, const Bounds& box) const {
+void LeafBvh::set_child(Node& node, std::size_t child, const Bounds& box) const {
   const glm::dvec3 far = glm::abs(center_);
   const double margin = rounding + 0x1p-50 * std::max({far.x, far.y, far.z}) / scale_;
   for (int axis = 0; axis < 3; ++axis) {

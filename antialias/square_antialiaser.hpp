@@ -17,14 +17,14 @@
 
 namespace raycat {
 
-/// Smooths pixels one after the other on one worker. What it makes of a pixel depends on the
+/// Antialiases pixels one after the other on one worker. What it makes of a pixel depends on the
 /// samples that are on the lattice around it.
-class SquareSmoother {
+class SquareAntialiaser {
  public:
   /// Keeps references. The lattice must have its corners, and units that can be halved as often as
   /// a border is followed.
-  SquareSmoother(SampleLattice& lattice, const ThinPoints& thin, const AdaptiveSettings& settings,
-                 bool covers, int worker)
+  SquareAntialiaser(SampleLattice& lattice, const ThinPoints& thin,
+                    const AdaptiveSettings& settings, bool covers, int worker)
       : samples_(lattice, settings, worker), thin_(thin), covers_(covers) {}
 
   /// What a pixel is, colour and alpha, and what it has put on its borders that was not there.
@@ -40,7 +40,7 @@ class SquareSmoother {
 
   /// With the error that is allowed, and if it is wanted, what is where within the pixel. Stays
   /// until the next pixel.
-  Result& smooth(int x, int y, float error, Patch* patch);
+  Result& antialias(int x, int y, float error, Patch* patch);
 
  private:
   void cover(TreeId tree, float share) {
@@ -54,7 +54,7 @@ class SquareSmoother {
   glm::vec2 place(const Square& square) const;
 
   glm::vec4 integrate(const Square& square, const Corners& corners);
-  glm::vec4 part(const Square& square, const Corners& corners);
+  glm::vec4 subdivide(const Square& square, const Corners& corners);
   bool cluttered(const Square& square);
   template <typename Test>
   bool all_on_sides(const Square& square, const Test& test);

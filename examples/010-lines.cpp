@@ -1,0 +1,19 @@
+// The lines of a scene: where neighbouring pixels see different things.
+//
+//     010-lines part.csg lines.png
+#include <raycat/raycat.hpp>
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    return 2;
+  }
+  // A file of any kind that raycat reads. It is framed and lit if it has no camera or light.
+  const raycat::SceneView scene(argv[1]);
+
+  // The picture, and of each of its pixels the category: an exact name for all that its ray met.
+  const raycat::Rendering picture = scene.render({.width = 900, .height = 700});
+
+  // Edges are where categories differ. No threshold is involved.
+  const raycat::EdgeMap edges = raycat::detect_edges(picture.categories);
+  raycat::write_image(argv[2], raycat::line_image(edges));
+}

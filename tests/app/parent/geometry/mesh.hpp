@@ -1,0 +1,5 @@
+#pragma once
+
+namespace parent {
+inline constexpr int own_header = 1;
+}
