@@ -39,7 +39,12 @@ TriangleMesh sum(const Corners& a, const Corners& b) {
 TriangleMesh minkowski_sum(const TriangleMesh& a, const TriangleMesh& b) {
   const std::vector<Corners> parts_of_a = convex_parts(a);
   const std::vector<Corners> parts_of_b = convex_parts(b);
-  if (corners_of(parts_of_a) > most_sums / corners_of(parts_of_b)) {
+  const std::size_t corners_of_a = corners_of(parts_of_a);
+  const std::size_t corners_of_b = corners_of(parts_of_b);
+  if (corners_of_a == 0 || corners_of_b == 0) {
+    return {};  // flat ones enclose nothing
+  }
+  if (corners_of_a > most_sums / corners_of_b) {
     throw std::runtime_error("too many corners to sum in pairs");
   }
   if (parts_of_a.size() == 1 && parts_of_b.size() == 1) {
