@@ -6,59 +6,73 @@
 
 namespace raycat {
 
-CornerLabels label_corners(const Corners& corners, bool by_colour, float least, float share) {
-  CornerLabels labels;
-  std::array<std::array<float, 4>, 4> distances{};
+namespace {
+
+using Distances = std::array<std::array<float, 4>, 4>;
+
+Distances colour_distances(const Corners& corners) {
+  Distances distances{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       distances[i][j] = distance_of(corners[i]->colour, corners[j]->colour);
       distances[j][i] = distances[i][j];
-      labels.farthest = std::max(labels.farthest, distances[i][j]);
     }
   }
+  return distances;
+}
+
+// A label for each tree, or for each corner.
+std::array<int, 4> first_labels(const Corners& corners, bool by_colour) {
   by_colour = by_colour || std::ranges::all_of(corners, [&](const ColourSample* corner) {
                 return corner->tree == corners[0]->tree;
               });
+  std::array<int, 4> labels{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    labels.of[i] = static_cast<int>(i);
+    labels[i] = static_cast<int>(i);
     for (std::size_t j = 0; j < i && !by_colour; ++j) {
       if (corners[j]->tree == corners[i]->tree) {
-        labels.of[i] = labels.of[j];
+        labels[i] = labels[j];
         break;
       }
     }
   }
-  const auto apart = [&](int a, int b) {
-    float distance = 0.0f;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      for (std::size_t j = 0; j < corners.size(); ++j) {
-        if (labels.of[i] == a && labels.of[j] == b) {
-          distance = std::max(distance, distances[i][j]);
-        }
+  return labels;
+}
+
+// The greatest distance of a corner of one label and one of the other.
+float apart(int a, int b, const std::array<int, 4>& labels, const Distances& distances) {
+  float distance = 0.0f;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t j = 0; j < labels.size(); ++j) {
+      if (labels[i] == a && labels[j] == b) {
+        distance = std::max(distance, distances[i][j]);
       }
     }
-    return distance;
-  };
-  for (;;) {
-    float nearest = std::max(least, share * labels.farthest);
-    std::pair<int, int> join(-1, -1);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (labels.of[i] != labels.of[j]) {
-          const float distance = apart(labels.of[j], labels.of[i]);
-          if (distance < nearest) {
-            nearest = distance;
-            join = {labels.of[j], labels.of[i]};
-          }
-        }
-      }
-    }
-    if (join.first < 0) {
-      break;
-    }
-    std::ranges::replace(labels.of, join.second, join.first);
   }
-  for (std::size_t i = 0; i < corners.size(); ++i) {
+  return distance;
+}
+
+// The two labels that are nearest to each other and nearer than `limit`; -1 twice if none are.
+std::pair<int, int> nearest_labels(const std::array<int, 4>& labels, const Distances& distances,
+                                   float limit) {
+  std::pair<int, int> nearest(-1, -1);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels[i] != labels[j]) {
+        const float distance = apart(labels[j], labels[i], labels, distances);
+        if (distance < limit) {
+          limit = distance;
+          nearest = {labels[j], labels[i]};
+        }
+      }
+    }
+  }
+  return nearest;
+}
+
+// Sets what the labels `of` come to: `count` and `apart`.
+void measure_labels(CornerLabels& labels, const Distances& distances) {
+  for (std::size_t i = 0; i < labels.of.size(); ++i) {
     const auto before = labels.of.begin() + static_cast<std::ptrdiff_t>(i);
     labels.count += std::find(labels.of.begin(), before, labels.of[i]) == before ? 1 : 0;
     for (std::size_t j = 0; j < i; ++j) {
@@ -67,6 +81,27 @@ CornerLabels label_corners(const Corners& corners, bool by_colour, float least, 
       }
     }
   }
+}
+
+}  // namespace
+
+CornerLabels label_corners(const Corners& corners, bool by_colour, float least, float share) {
+  const Distances distances = colour_distances(corners);
+  CornerLabels labels{.of = first_labels(corners, by_colour)};
+  for (const auto& row : distances) {
+    for (const float distance : row) {
+      labels.farthest = std::max(labels.farthest, distance);
+    }
+  }
+  const float limit = std::max(least, share * labels.farthest);
+  for (;;) {
+    const auto [kept, joined] = nearest_labels(labels.of, distances, limit);
+    if (kept < 0) {
+      break;
+    }
+    std::ranges::replace(labels.of, joined, kept);
+  }
+  measure_labels(labels, distances);
   return labels;
 }
 

@@ -2,9 +2,11 @@
 
 #include <optional>
 
-#include <CLI/CLI.hpp>
-
 #include "antialias/antialias.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace raycat::app {
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/command.hpp"
 #include "app/report.hpp"
 #include "io/export/glb_file.hpp"
 #include "io/export/obj_file.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/command.hpp"
+#include "app/options.hpp"
 #include "app/view.hpp"
 
 namespace raycat::app {

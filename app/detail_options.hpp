@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "categories/detail.hpp"
 #include "tracer/scene.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace raycat::app {
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command.hpp"
 #include "app/report.hpp"
 
 namespace raycat::app {

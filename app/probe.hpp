@@ -3,8 +3,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "app/command.hpp"
 #include "app/detail_options.hpp"
+#include "app/options.hpp"
 #include "app/view.hpp"
 
 namespace raycat::app {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command.hpp"
 #include "app/help.hpp"
 #include "edges/refine.hpp"
 #include "io/files/output_file.hpp"

@@ -5,11 +5,15 @@
 #include <vector>
 
 #include "app/antialias_options.hpp"
-#include "app/command.hpp"
 #include "app/detail_options.hpp"
+#include "app/options.hpp"
 #include "app/render_outputs.hpp"
 #include "app/view.hpp"
 #include "categories/encoder.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace raycat::app {
 

@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "io/scene/scene_file.hpp"
 #include "tracer/camera.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace raycat::app {
 

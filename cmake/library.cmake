@@ -27,3 +27,13 @@ function(raycat_library name)
     endif()
   endforeach()
 endfunction()
+
+# raycat_precompile(TARGET HEADERS...): for what is slow to compile and most of its sources include.
+# The cache of compilations wants GCC to say which precompiled header it takes, and clang to keep no
+# time in it.
+function(raycat_precompile target)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+    "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+endfunction()

@@ -112,6 +112,7 @@ class LeafBvh::Search {
 };
 
 inline LeafBvh::Meeting LeafBvh::meet(const Line& line, const Node& node) noexcept {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled below, in an inner loop.
   Meeting meeting;
   meeting.begin.fill(line.begin);
   meeting.end.fill(line.end);
@@ -137,6 +138,7 @@ void LeafBvh::visit(const Ray& ray, Met&& met) const {
   if (!way) {
     return;
   }
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): a stack, in an inner loop.
   std::array<std::uint32_t, most_open> open;
   std::size_t count = 0;
   open[count++] = 0;

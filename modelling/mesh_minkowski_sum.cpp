@@ -1,12 +1,10 @@
 #include "modelling/mesh_minkowski_sum.hpp"
 
 #include <cstddef>
-#include <queue>
 #include <stdexcept>
 #include <vector>
 
 #include "modelling/convex_hull.hpp"
-#include "modelling/convex_parts.hpp"
 #include "modelling/nef.hpp"
 
 namespace raycat {
@@ -41,30 +39,24 @@ TriangleMesh sum(const Corners& a, const Corners& b) {
 TriangleMesh minkowski_sum(const TriangleMesh& a, const TriangleMesh& b) {
   const std::vector<Corners> parts_of_a = convex_parts(a);
   const std::vector<Corners> parts_of_b = convex_parts(b);
-  if (corners_of(parts_of_a) > most_sums / corners_of(parts_of_b)) {
+  const std::size_t corners_of_a = corners_of(parts_of_a);
+  const std::size_t corners_of_b = corners_of(parts_of_b);
+  if (corners_of_a == 0 || corners_of_b == 0) {
+    return {};  // flat ones enclose nothing
+  }
+  if (corners_of_a > most_sums / corners_of_b) {
     throw std::runtime_error("too many corners to sum in pairs");
   }
   if (parts_of_a.size() == 1 && parts_of_b.size() == 1) {
     return sum(parts_of_a.front(), parts_of_b.front());
   }
-  // The smallest first, so that few are large.
-  const auto larger = [](const Nef& p, const Nef& q) {
-    return p.number_of_vertices() > q.number_of_vertices();
-  };
-  std::priority_queue<Nef, std::vector<Nef>, decltype(larger)> sums(larger);
+  std::vector<TriangleMesh> sums;
   for (const Corners& p : parts_of_a) {
     for (const Corners& q : parts_of_b) {
-      sums.push(nef_of(sum(p, q)));
+      sums.push_back(sum(p, q));
     }
   }
-  while (sums.size() > 1) {
-    const Nef first = sums.top();
-    sums.pop();
-    const Nef second = sums.top();
-    sums.pop();
-    sums.push(first + second);
-  }
-  return mesh_of(sums.top());
+  return united(sums);
 }
 
 }  // namespace raycat

@@ -6,22 +6,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <queue>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
+#include <CGAL/convex_decomposition_3.h>
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
+#include "modelling/convex_hull.hpp"
+#include "modelling/exact.hpp"
 
 namespace raycat {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Nef = CGAL::Nef_polyhedron_3<Exact>;
+using Polyhedron = CGAL::Polyhedron_3<Exact>;
 
 class Builder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
  public:
@@ -31,7 +36,7 @@ class Builder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
     CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(to, false);
     builder.begin_surface(mesh_.positions.size(), mesh_.triangles.size());
     for (const glm::dvec3& p : mesh_.positions) {
-      builder.add_vertex(Kernel::Point_3(p.x, p.y, p.z));
+      builder.add_vertex(Exact::Point_3(p.x, p.y, p.z));
     }
     for (const glm::uvec3& t : mesh_.triangles) {
       const std::array<std::size_t, 3> corners{t.x, t.y, t.z};
@@ -92,9 +97,8 @@ std::vector<TriangleMesh> shells(const TriangleMesh& mesh) {
   return out;
 }
 
-}  // namespace
-
-// From the largest shell to the smallest, of which those turned inside out are cavities.
+// What a closed mesh encloses, cavities left out: from the largest shell to the smallest, of which
+// those turned inside out are cavities.
 Nef nef_of(const TriangleMesh& mesh) {
   std::vector<std::pair<double, TriangleMesh>> all;
   for (TriangleMesh& shell : shells(mesh)) {
@@ -131,6 +135,55 @@ TriangleMesh mesh_of(const Nef& nef) {
   mesh.faces.assign(mesh.triangles.size(), 0);
   mesh.face_count = mesh.triangles.empty() ? 0 : 1;
   return mesh;
+}
+
+// Only rounding may keep the volumes of a convex body and of its hull apart.
+bool is_convex(const TriangleMesh& mesh, const TriangleMesh& hull) {
+  constexpr double rounding = 1e-9;
+  return signed_volume(mesh) >= (1.0 - rounding) * signed_volume(hull);
+}
+
+}  // namespace
+
+std::vector<std::vector<glm::dvec3>> convex_parts(const TriangleMesh& mesh) {
+  const TriangleMesh hull = convex_hull(mesh.positions);
+  if (is_convex(mesh, hull)) {
+    return {hull.positions};
+  }
+  Nef nef = nef_of(mesh);
+  CGAL::convex_decomposition_3(nef);
+  std::vector<std::vector<glm::dvec3>> parts;
+  for (auto part = ++nef.volumes_begin(); part != nef.volumes_end(); ++part) {  // past the outside
+    if (!part->mark()) {
+      continue;
+    }
+    Polyhedron convex;
+    nef.convert_inner_shell_to_polyhedron(part->shells_begin(), convex);
+    std::vector<glm::dvec3>& corners = parts.emplace_back();
+    for (auto vertex = convex.vertices_begin(); vertex != convex.vertices_end(); ++vertex) {
+      corners.push_back(rounded(vertex->point()));
+    }
+  }
+  return parts;
+}
+
+TriangleMesh united(std::span<const TriangleMesh> meshes) {
+  // The smallest first, so that few are large.
+  const auto larger = [](const Nef& p, const Nef& q) {
+    return p.number_of_vertices() > q.number_of_vertices();
+  };
+  std::priority_queue<Nef, std::vector<Nef>, decltype(larger)> waiting(larger);
+  for (const TriangleMesh& mesh : meshes) {
+    waiting.push(nef_of(mesh));
+  }
+  while (waiting.size() > 1) {
+    const Nef first = waiting.top();
+    waiting.pop();
+    const Nef second = waiting.top();
+    waiting.pop();
+    waiting.push(first + second);
+  }
+  return mesh_of(waiting.top());
 }
 
 }  // namespace raycat

@@ -1,21 +1,23 @@
 #pragma once
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Nef_polyhedron_3.h>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "geometry/mesh.hpp"
-#include "modelling/exact.hpp"
 
 namespace raycat {
 
-/// CGAL's exact solids. For the sources of `modelling` alone.
-using Nef = CGAL::Nef_polyhedron_3<Exact>;
+// What CGAL's Nef polyhedra are for. Their templates take most of a minute to compile, so all that
+// needs them is in one source, which alone includes them.
 
-/// What a closed mesh encloses, cavities left out. Throws `std::runtime_error` if the mesh is not
-/// closed or touches itself along an edge.
-Nef nef_of(const TriangleMesh& mesh);
+/// The corners of convex bodies that together are the solid that `mesh` encloses. One if that is
+/// convex. Throws `std::runtime_error` if the mesh is not closed or crosses itself.
+std::vector<std::vector<glm::dvec3>> convex_parts(const TriangleMesh& mesh);
 
-/// The boundary as a closed mesh of one face, in doubles.
-TriangleMesh mesh_of(const Nef& nef);
+/// The union of what closed meshes enclose, at least one, as a closed mesh of one face in doubles.
+/// Throws `std::runtime_error` if a mesh is not closed or touches itself along an edge.
+TriangleMesh united(std::span<const TriangleMesh> meshes);
 
 }  // namespace raycat

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 #include <glm/geometric.hpp>
@@ -26,6 +27,26 @@ void add_chord(double begin, double end, const glm::dvec3& from, int axis, Chord
   glm::dvec3 middle = from;
   middle[axis] = 0.5 * (begin + end);
   to.moment += length * middle;
+}
+
+// Surfaces that are this close are one.
+double surface_tolerance(const Bounds& box) {
+  return 1e-9 * glm::length(box.half_size()) +
+         1e-15 * glm::length(glm::max(glm::abs(box.min), glm::abs(box.max)));
+}
+
+using Event = ChordCaster::Scratch::Event;
+
+// Of events at one place, where the line enters the union or leaves it, that of the first object
+// that the union's surface is a surface of, which has it.
+const Event* owner(std::span<const Event> events, bool entering) {
+  const Event* first = nullptr;
+  for (const Event& event : events) {
+    if (event.entering == entering && (first == nullptr || event.object < first->object)) {
+      first = &event;
+    }
+  }
+  return first;
 }
 
 }  // namespace
@@ -88,10 +109,8 @@ void ChordCaster::cast(std::uint32_t object, int axis, const glm::dvec2& across,
   unite(object, ray, own, scratch, sums.united);
 }
 
-// Of the union an object has what no earlier object has, and of its surface what is the union's.
-void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own, Scratch& scratch,
-                        Chords& united) const {
-  std::vector<Scratch::Event>& events = scratch.events;
+// Adds what the line crosses of others to the events. Whether there is any.
+bool ChordCaster::add_neighbours(std::uint32_t object, const Ray& ray, Scratch& scratch) const {
   scratch.neighbours.clear();
   const Bounds& own_box = objects_[object].solid->bounds();
   boxes_.visit(ray, [&](std::uint32_t other) {
@@ -99,18 +118,25 @@ void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own,
       scratch.neighbours.push_back(other);
     }
   });
-  const std::size_t alone = events.size();
+  const std::size_t alone = scratch.events.size();
   for (const std::uint32_t other : scratch.neighbours) {
     objects_[other].solid->cross(ray, scratch.solid);
     for (const Boundary& boundary : scratch.solid.boundaries) {
-      events.push_back({.t = boundary.t, .object = other, .entering = boundary.entering});
+      scratch.events.push_back({.t = boundary.t, .object = other, .entering = boundary.entering});
     }
   }
-  if (events.size() == alone) {
+  return scratch.events.size() > alone;
+}
+
+// Of the union an object has what no earlier object has, and of its surface what is the union's.
+void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own, Scratch& scratch,
+                        Chords& united) const {
+  if (!add_neighbours(object, ray, scratch)) {
     united += own;
     return;
   }
-  std::ranges::sort(events, [](const Scratch::Event& a, const Scratch::Event& b) {
+  std::vector<Event>& events = scratch.events;
+  std::ranges::sort(events, [](const Event& a, const Event& b) {
     return std::tie(a.t, a.object, a.entering) < std::tie(b.t, b.object, b.entering);
   });
   const Bounds& box = objects_[object].solid->bounds();
@@ -119,9 +145,7 @@ void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own,
     ++axis;
   }
   const glm::dvec3 from = ray.origin - box.center();
-  // Surfaces that are this close are one.
-  const double tolerance = 1e-9 * glm::length(box.half_size()) +
-                           1e-15 * glm::length(glm::max(glm::abs(box.min), glm::abs(box.max)));
+  const double tolerance = surface_tolerance(box);
   int within = 0;   // of how many objects the line is inside
   int earlier = 0;  // and of how many that come before this one
   bool inside = false;
@@ -130,7 +154,7 @@ void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own,
     const bool was_within = within > 0;
     std::size_t end = first;
     for (; end < events.size() && events[end].t <= events[first].t + tolerance; ++end) {
-      const Scratch::Event& event = events[end];
+      const Event& event = events[end];
       if (inside && earlier == 0) {
         add_chord(begin, event.t, from, axis, united);
       }
@@ -144,16 +168,9 @@ void ChordCaster::unite(std::uint32_t object, const Ray& ray, const Chords& own,
       }
     }
     if (was_within != (within > 0)) {
-      // The first object that the union's surface is a surface of has it.
-      const Scratch::Event* owner = nullptr;
-      for (std::size_t i = first; i < end; ++i) {
-        if (events[i].entering == (within > 0) &&
-            (owner == nullptr || events[i].object < owner->object)) {
-          owner = &events[i];
-        }
-      }
-      if (owner != nullptr && owner->object == object) {
-        united.cosines += owner->cosine;
+      const Event* const has = owner(std::span(events).subspan(first, end - first), within > 0);
+      if (has != nullptr && has->object == object) {
+        united.cosines += has->cosine;
       }
     }
     first = end;

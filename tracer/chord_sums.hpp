@@ -65,6 +65,7 @@ class ChordCaster {
             ChordSums& sums) const;
 
  private:
+  bool add_neighbours(std::uint32_t object, const Ray& ray, Scratch& scratch) const;
   void unite(std::uint32_t object, const Ray& ray, const Chords& own, Scratch& scratch,
              Chords& united) const;
 

@@ -22,6 +22,7 @@
 #include "io/files/input_file.hpp"
 #include "io/files/load_error.hpp"
 #include "io/meshes/mesh_text.hpp"
+#include "io/meshes/plain_ply.hpp"
 
 namespace raycat {
 

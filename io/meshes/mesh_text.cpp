@@ -2,67 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <stdexcept>
-#include <vector>
 
 #include <fmt/format.h>
 
+#include "io/meshes/mesh_words.hpp"
+
 namespace raycat {
-
-namespace {
-
-using Words = std::vector<std::string_view>;
-
-[[noreturn]] void fail(std::size_t line, std::string_view what) {
-  throw std::invalid_argument(fmt::format("line {}: {}", line, what));
-}
-
-// Takes the next line off `text`.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
-}
-
-void split(std::string_view line, Words& words) {
-  constexpr std::string_view blanks = " \t\r\v\f";
-  words.clear();
-  for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = line.find_first_not_of(blanks, end);
-  }
-}
-
-// As `float`, which is what OpenMesh keeps.
-bool is_coordinate(std::string_view word) {
-  word.remove_prefix(word.starts_with('+') ? 1 : 0);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  // Numbers too small for a double are written by some tools and mean 0.
-  const bool small = error == std::errc::result_out_of_range &&
-                     word.find_first_of("eE") != std::string_view::npos &&
-                     word.find("e-") != std::string_view::npos;
-  return (error == std::errc() || small) && end == word.data() + word.size() &&
-         std::isfinite(static_cast<float>(value));
-}
-
-template <typename Integer>
-bool read_integer(std::string_view word, Integer& value) {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
-}
-
-}  // namespace
 
 std::string plain_obj(std::string_view bytes) {
   std::string plain;
   std::string joined;
-  Words words;
+  MeshWords words;
   std::size_t number = 0;
   while (!bytes.empty()) {
     std::string_view line = take_line(bytes);
@@ -82,18 +34,16 @@ std::string plain_obj(std::string_view bytes) {
     }
     plain += words[0];
     if (words[0] == "v") {
-      if (words.size() < 4 || !std::all_of(words.begin() + 1, words.begin() + 4, is_coordinate)) {
-        fail(number, "a vertex needs three finite numbers");
-      }
+      require_coordinates(words, 1, number);
       words.resize(4);
     } else if (words.size() < 4) {
-      fail(number, "a face needs three corners");
+      refuse_line(number, "a face needs three corners");
     }
     for (std::size_t i = 1; i < words.size(); ++i) {
       const std::string_view word = words[i].substr(0, words[i].find('/'));
       std::int32_t index = 0;
       if (words[0] == "f" && (!read_integer(word, index) || index == 0)) {
-        fail(number, fmt::format("'{:.40}' is no corner of a face", words[i]));
+        refuse_line(number, fmt::format("'{:.40}' is no corner of a face", words[i]));
       }
       plain += ' ';
       plain += word;
@@ -103,178 +53,166 @@ std::string plain_obj(std::string_view bytes) {
   return plain;
 }
 
-std::string plain_off(std::string_view bytes) {
-  std::string plain;
-  Words words;
-  std::uint64_t vertices = 0;
-  std::uint64_t faces = 0;
-  std::size_t normal_words = 0;
-  std::size_t texture_words = 0;
-  enum class Expect { header, counts, data } expect = Expect::header;
-  std::string_view rest = bytes;
-  for (std::size_t number = 1; !rest.empty(); ++number) {
-    const std::string_view line = take_line(rest);
-    split(line.substr(0, line.find('#')), words);
-    if (!words.empty() && expect == Expect::header) {
-      constexpr std::array<std::string_view, 8> known = {"OFF",   "COFF",   "NOFF",   "CNOFF",
-                                                         "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
-      if (std::ranges::find(known, words[0]) == known.end()) {
-        fail(number, "expected OFF");
-      }
-      if (words.size() > 1 && words[1] == "BINARY") {
-        return std::string(bytes);
-      }
-      plain.append(words[0]).append("\n");
-      normal_words = words[0].ends_with("NOFF") ? 3 : 0;
-      texture_words = words[0].starts_with("ST") ? 2 : 0;
-      words.erase(words.begin());
-      expect = Expect::counts;
-    }
-    if (words.empty()) {
-      continue;
-    }
-    std::size_t kept = 3;
-    if (expect == Expect::counts) {
-      if (words.size() < 2 || !read_integer(words[0], vertices) || !read_integer(words[1], faces)) {
-        fail(number, "expected the numbers of vertices and faces");
-      }
-      words.resize(2);
-      words.emplace_back("0");  // edges, which nobody needs
-      expect = Expect::data;
-    } else if (vertices > 0) {
-      kept += normal_words;
-      if (words.size() < kept || !std::all_of(words.begin(), words.begin() + 3, is_coordinate)) {
-        fail(number, "a vertex needs three finite numbers");
-      }
-      --vertices;
-      words.resize(kept);
-      words.insert(words.end(), texture_words, "0");
-      kept = words.size();
-    } else if (faces > 0) {
-      std::size_t corners = 0;
-      if (!read_integer(words[0], corners) || corners >= words.size()) {
-        fail(number, "a face needs a number of corners, and as many corners");
-      }
-      kept = 1 + corners;
-      --faces;
-    } else {
-      break;
-    }
-    for (std::size_t i = 0; i < kept; ++i) {
-      plain.append(words[i]).append(i + 1 < kept ? " " : "");
-    }
-    plain.append("\n");
-  }
-  if (expect != Expect::data || vertices + faces > 0) {
-    throw std::invalid_argument("ends before its last vertex or face");
-  }
-  return plain;
-}
-
 namespace {
 
-struct Element {
-  std::string_view name;
-  std::uint64_t count = 0;
-  std::uint64_t least_bytes = 0;  // of one
-  bool skipped = false;
+// An OFF file in text, taken line by line.
+class Off {
+ public:
+  // False past the last face. Words that the header is followed by are those of the next line.
+  bool take(MeshWords& words, std::size_t line);
+
+  bool binary() const { return binary_; }
+
+  // Throws `std::invalid_argument` if something is missing.
+  const std::string& plain() const;
+
+ private:
+  enum class Expect { header, counts, data };
+
+  void take_header(MeshWords& words, std::size_t line);
+  void take_counts(const MeshWords& words, std::size_t line);
+  void take_vertex(const MeshWords& words, std::size_t line);
+  void take_face(const MeshWords& words, std::size_t line);
+  void put(const MeshWords& words, std::size_t count);
+
+  Expect expect_ = Expect::header;
+  bool binary_ = false;
+  std::size_t normal_words_ = 0;
+  std::string_view texture_;
+  std::uint64_t vertices_ = 0;
+  std::uint64_t faces_ = 0;
+  std::string plain_;
 };
 
-std::uint64_t type_size(std::string_view type, std::size_t line) {
-  if (type == "char" || type == "uchar" || type == "int8" || type == "uint8") {
-    return 1;
+bool Off::take(MeshWords& words, std::size_t line) {
+  if (expect_ == Expect::header && !words.empty()) {
+    take_header(words, line);
   }
-  if (type == "short" || type == "ushort" || type == "int16" || type == "uint16") {
-    return 2;
+  if (words.empty() || binary_) {
+    return true;
   }
-  if (type == "int" || type == "uint" || type == "int32" || type == "uint32" || type == "float" ||
-      type == "float32") {
-    return 4;
+  if (expect_ == Expect::counts) {
+    take_counts(words, line);
+  } else if (vertices_ > 0) {
+    take_vertex(words, line);
+  } else if (faces_ > 0) {
+    take_face(words, line);
+  } else {
+    return false;
   }
-  if (type == "double" || type == "float64") {
-    return 8;
+  return true;
+}
+
+void Off::take_header(MeshWords& words, std::size_t line) {
+  constexpr std::array<std::string_view, 8> known = {"OFF",   "COFF",   "NOFF",   "CNOFF",
+                                                     "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+  if (std::ranges::find(known, words[0]) == known.end()) {
+    refuse_line(line, "expected OFF");
   }
-  fail(line, fmt::format("unknown type '{:.40}'", type));
+  binary_ = words.size() > 1 && words[1] == "BINARY";
+  plain_.append(words[0]).append("\n");
+  normal_words_ = words[0].ends_with("NOFF") ? 3 : 0;
+  texture_ = words[0].starts_with("ST") ? " 0 0" : "";
+  words.erase(words.begin());
+  expect_ = Expect::counts;
+}
+
+void Off::take_counts(const MeshWords& words, std::size_t line) {
+  if (words.size() < 2 || !read_integer(words[0], vertices_) || !read_integer(words[1], faces_)) {
+    refuse_line(line, "expected the numbers of vertices and faces");
+  }
+  put(words, 2);
+  plain_.append(" 0\n");  // edges, which nobody needs
+  expect_ = Expect::data;
+}
+
+void Off::take_vertex(const MeshWords& words, std::size_t line) {
+  require_coordinates(words, 0, line);
+  if (words.size() < 3 + normal_words_) {
+    refuse_line(line, "a vertex needs three finite numbers");
+  }
+  put(words, 3 + normal_words_);
+  plain_.append(texture_).append("\n");
+  --vertices_;
+}
+
+void Off::take_face(const MeshWords& words, std::size_t line) {
+  std::size_t corners = 0;
+  if (!read_integer(words[0], corners) || corners >= words.size()) {
+    refuse_line(line, "a face needs a number of corners, and as many corners");
+  }
+  put(words, 1 + corners);
+  plain_.append("\n");
+  --faces_;
+}
+
+void Off::put(const MeshWords& words, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    plain_.append(i == 0 ? "" : " ").append(words[i]);
+  }
+}
+
+const std::string& Off::plain() const {
+  if (expect_ != Expect::data || vertices_ + faces_ > 0) {
+    throw std::invalid_argument("ends before its last vertex or face");
+  }
+  return plain_;
 }
 
 }  // namespace
 
-PlainPly plain_ply(std::string_view bytes) {
-  PlainPly plain;
-  std::string header;
-  std::vector<Element> elements;
-  Words words;
+std::string plain_off(std::string_view bytes) {
+  Off off;
+  MeshWords words;
   std::string_view rest = bytes;
-  for (std::size_t number = 1;; ++number) {
-    if (rest.empty()) {
-      fail(number, "expected end_header");
-    }
-    split(take_line(rest), words);
-    if (number == 1) {
-      if (words.size() != 1 || words[0] != "ply") {
-        fail(number, "expected ply");
-      }
-      header += "ply\n";
-    } else if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
-      continue;
-    } else if (words[0] == "format" && words.size() == 3 && header.size() == 4) {
-      if (words[1] != "ascii" && words[1] != "binary_little_endian" &&
-          words[1] != "binary_big_endian") {
-        fail(number, fmt::format("unknown format '{:.40}'", words[1]));
-      }
-      plain.binary = words[1] != "ascii";
-      header += fmt::format("format {} 1.0\n", words[1]);
-    } else if (words[0] == "element" && words.size() == 3 && header.size() > 4) {
-      Element element{.name = words[1]};
-      if (!read_integer(words[2], element.count)) {
-        fail(number, "an element needs a number");
-      }
-      // What comes after the faces need not be read.
-      element.skipped =
-          !elements.empty() && (elements.back().skipped || elements.back().name == "face");
-      if (!element.skipped && element.name != "vertex" && element.name != "face") {
-        fail(number, fmt::format("elements '{:.40}' before the faces are not supported", words[1]));
-      }
-      if (!element.skipped) {
-        header += fmt::format("element {} {}\n", element.name, element.count);
-      }
-      elements.push_back(element);
-    } else if (words[0] == "property" && words.size() == 3 && !elements.empty()) {
-      const std::uint64_t size = type_size(words[1], number);
-      elements.back().least_bytes += plain.binary ? size : 2;
-      if (!elements.back().skipped) {
-        header += fmt::format("property {} {}\n", words[1], words[2]);
-      }
-    } else if (words[0] == "property" && words.size() == 5 && words[1] == "list" &&
-               !elements.empty()) {
-      const std::uint64_t size = type_size(words[2], number);
-      elements.back().least_bytes += plain.binary ? size : 2;
-      type_size(words[3], number);
-      const bool corners = words[4] == "vertex_indices" || words[4] == "vertex_index";
-      if (!elements.back().skipped) {
-        if (elements.back().name != "face" || !corners) {
-          fail(number, fmt::format("the list '{:.40}' is not supported", words[4]));
-        }
-        header += fmt::format("property list {} {} vertex_indices\n", words[2], words[3]);
-      }
-    } else if (words.size() == 1 && words[0] == "end_header") {
+  for (std::size_t line = 1; !rest.empty(); ++line) {
+    const std::string_view text = take_line(rest);
+    split(text.substr(0, text.find('#')), words);
+    if (!off.take(words, line)) {
       break;
-    } else {
-      fail(number, fmt::format("'{:.40}' is not expected here", words[0]));
+    }
+    if (off.binary()) {
+      return std::string(bytes);
     }
   }
-  for (const Element& element : elements) {
-    if (!element.skipped &&
-        (element.least_bytes == 0 || element.count > (rest.size() + 1) / element.least_bytes)) {
-      throw std::invalid_argument(
-          fmt::format("the header promises {} of '{:.40}', more than the file holds", element.count,
-                      element.name));
-    }
-  }
-  plain.bytes = header + "end_header\n";
-  plain.bytes += rest;
-  return plain;
+  return off.plain();
 }
+
+namespace {
+
+// Throws `std::invalid_argument` unless all facets are whole.
+void require_whole_facets(std::string_view text) {
+  MeshWords words;
+  constexpr std::array<std::string_view, 7> facet = {"facet",  "outer",   "vertex",  "vertex",
+                                                     "vertex", "endloop", "endfacet"};
+  std::size_t step = 0;
+  bool ended = false;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    split(take_line(text), words);
+    if (words.empty() || words[0] == "solid") {
+      continue;
+    }
+    ended = words[0] == "endsolid" && step == 0;
+    if (ended) {
+      continue;
+    }
+    if (words[0] != facet[step]) {
+      refuse_line(number, fmt::format("expected {}, but found '{:.40}'", facet[step], words[0]));
+    }
+    if (words[0] == "vertex") {
+      require_coordinates(words, 1, number);
+      if (words.size() > 4) {
+        refuse_line(number, "a vertex needs three finite numbers");
+      }
+    }
+    step = (step + 1) % facet.size();
+  }
+  if (!ended) {
+    throw std::invalid_argument("ends before endsolid");
+  }
+}
+
+}  // namespace
 
 bool is_binary_stl(std::string_view bytes) {
   constexpr std::size_t head = 84;
@@ -295,33 +233,7 @@ bool is_binary_stl(std::string_view bytes) {
     }
     return true;
   }
-  Words words;
-  constexpr std::array<std::string_view, 7> facet = {"facet",  "outer",   "vertex",  "vertex",
-                                                     "vertex", "endloop", "endfacet"};
-  std::size_t step = 0;
-  bool ended = false;
-  std::string_view rest = bytes;
-  for (std::size_t number = 1; !rest.empty(); ++number) {
-    split(take_line(rest), words);
-    if (words.empty() || words[0] == "solid") {
-      continue;
-    }
-    ended = words[0] == "endsolid" && step == 0;
-    if (ended) {
-      continue;
-    }
-    if (words[0] != facet[step]) {
-      fail(number, fmt::format("expected {}, but found '{:.40}'", facet[step], words[0]));
-    }
-    if (words[0] == "vertex" &&
-        (words.size() != 4 || !std::all_of(words.begin() + 1, words.end(), is_coordinate))) {
-      fail(number, "a vertex needs three finite numbers");
-    }
-    step = (step + 1) % facet.size();
-  }
-  if (!ended) {
-    throw std::invalid_argument("ends before endsolid");
-  }
+  require_whole_facets(bytes);
   return false;
 }
 

@@ -126,6 +126,23 @@ TEST_CASE("polygons are triangulated", "[io][mesh]") {
   CHECK(load_text("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").triangles == 2);
 }
 
+TEST_CASE("a coordinate too small for a double is 0, however it is written", "[io][mesh]") {
+  const std::string small =
+      GENERATE(as<std::string>(), "1e-400", "1E-400", "-1E-400", "+1.5E-99999999999",
+               "0." + std::string(400, '0') + "1", "1" + std::string(99, '0') + "E-500");
+  const std::string rest = "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const SceneFile file = load_text("a.obj", "v " + small + " 0 0\n" + rest);
+  CHECK(bounds(file.scene.meshes.at(0).mesh->triangles).min == glm::dvec3(0.0));
+}
+
+TEST_CASE("a coordinate too large for a double is refused, however it is written", "[io][mesh]") {
+  const std::string large =
+      GENERATE(as<std::string>(), "1e400", "1E+400", "1" + std::string(400, '0'),
+               "1" + std::string(400, '0') + "e-5", "0.01E99999999999");
+  CHECK(load_error("a.obj", "v " + large + " 0 0\n") ==
+        "a.obj: line 1: a vertex needs three finite numbers");
+}
+
 TEST_CASE("malformed mesh files are refused with one line", "[io][mesh]") {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   CHECK(load_error("a.obj", three) == "a.obj: holds no triangle");

@@ -1,0 +1,73 @@
+#include "io/meshes/mesh_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace raycat {
+namespace {
+
+// Is a well-formed number that no double comes near too small rather than too large? Zero digits
+// before and after the point can outweigh the exponent.
+bool is_below_double(std::string_view word) {
+  const std::string_view digits = word.substr(0, word.find_first_of("eE"));
+  std::string_view power = word.substr(std::min(digits.size() + 1, word.size()));
+  power.remove_prefix(power.starts_with('+') ? 1 : 0);
+  std::int32_t exponent = 0;
+  const auto [end, error] = std::from_chars(power.data(), power.data() + power.size(), exponent);
+  if (error == std::errc::result_out_of_range) {
+    return power.starts_with('-');
+  }
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+  return exponent + point - first < 0;
+}
+
+}  // namespace
+
+void refuse_line(std::size_t line, std::string_view what) {
+  throw std::invalid_argument(fmt::format("line {}: {}", line, what));
+}
+
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+void split(std::string_view line, MeshWords& words) {
+  constexpr std::string_view blanks = " \t\r\v\f";
+  words.clear();
+  for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(blanks, end);
+  }
+}
+
+bool is_coordinate(std::string_view word) {
+  word.remove_prefix(word.starts_with('+') ? 1 : 0);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size()) {
+    return false;
+  }
+  // Numbers too small for a double are written by some tools and mean 0.
+  return error == std::errc::result_out_of_range
+             ? is_below_double(word)
+             : error == std::errc() && std::isfinite(static_cast<float>(value));
+}
+
+void require_coordinates(const MeshWords& words, std::size_t first, std::size_t line) {
+  for (std::size_t i = first; i < first + 3; ++i) {
+    if (i >= words.size() || !is_coordinate(words[i])) {
+      refuse_line(line, "a vertex needs three finite numbers");
+    }
+  }
+}
+
+}  // namespace raycat

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace raycat {
+
+/// The words of a line of a mesh file.
+using MeshWords = std::vector<std::string_view>;
+
+/// Throws `std::invalid_argument` that names the line.
+[[noreturn]] void refuse_line(std::size_t line, std::string_view what);
+
+/// Takes the next line off `text`.
+std::string_view take_line(std::string_view& text);
+
+/// Sets `words` to those of `line`, and keeps its capacity for the next.
+void split(std::string_view line, MeshWords& words);
+
+/// Is it a finite number as a `float`, which is what OpenMesh keeps?
+bool is_coordinate(std::string_view word);
+
+/// Throws `std::invalid_argument` unless `words` has three coordinates from `first` on.
+void require_coordinates(const MeshWords& words, std::size_t first, std::size_t line);
+
+template <typename Integer>
+bool read_integer(std::string_view word, Integer& value) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+}  // namespace raycat
