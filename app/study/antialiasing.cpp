@@ -143,6 +143,56 @@ Table our_table(const StudySettings& settings, const StudyScene& scene,
   return table;
 }
 
+// What the sweeps of all scenes have found.
+struct Found {
+  Table points{.columns = {"scene", "size", "method", "options", "rays_per_pixel", "category_only",
+                           "cpu_seconds", "psnr", "psnr_encoded", "ssim"},
+               .rows = {}};
+  Table reach{.columns = {"scene", "size", "dB", "rays", "CPU time"}, .rows = {}};
+  Json ratios = Json::array();
+};
+
+void add(Found& found, const AntialiasSweep& sweep, const std::string& scene,
+         const std::string& size) {
+  for (const Antialiased& o : sweep.outcomes) {
+    found.points.rows.push_back({scene, size, o.family, o.knobs, fmt::format("{:.4f}", o.per_pixel),
+                                 fmt::format("{:.4f}", o.category_only),
+                                 fmt::format("{:.4f}", o.cpu), fmt::format("{:.2f}", o.linear),
+                                 fmt::format("{:.2f}", o.encoded),
+                                 fmt::format("{:.5f}", o.similarity)});
+  }
+  for (const double target : targets) {
+    const auto rays = cost_ratio(sweep, target, extra);
+    const auto cpu = cost_ratio(sweep, target, [](const Antialiased& o) { return o.cpu; });
+    found.reach.rows.push_back(
+        {scene, size, fmt::format("{:.0f}", target), shown(rays), shown(cpu)});
+    found.ratios.push_back({{"scene", scene},
+                            {"size", size},
+                            {"db", target},
+                            {"extra_rays", rays ? Json(*rays) : Json(nullptr)},
+                            {"cpu", cpu ? Json(*cpu) : Json(nullptr)}});
+  }
+}
+
+// One scene at all sizes: its tables and plots, and differences of the last size.
+void study_scene(const StudySettings& settings, const std::string& name,
+                 const std::vector<ImageSize>& sizes, ReportPage& page, Found& found) {
+  const StudyScene scene(settings, name, sizes.front());
+  const std::string stem = name.empty() ? "scene" : name;
+  const Table table = our_table(settings, scene, sizes);
+  page.paragraph(scene.label);
+  page.table(table, write_table(settings, "table2-samples-" + stem, table));
+  for (const ImageSize& size : sizes) {
+    const Pixels reference = antialias_reference(settings, scene, size);
+    const AntialiasSweep sweep = sweep_antialiasing(settings, scene, stem, size, reference);
+    add(found, sweep, scene.label, fmt::format("{}x{}", size.width, size.height));
+    show(settings, sweep, page);
+    if (&size == &sizes.back()) {
+      show_differences(settings, scene, stem, size, reference, page);
+    }
+  }
+}
+
 }  // namespace
 
 Json study_table2(const StudySettings& settings, ReportPage& page) {
@@ -165,61 +215,25 @@ Json study_table2(const StudySettings& settings, ReportPage& page) {
       "two categories apart, and against CPU time. Where POV-Ray is installed its two methods are "
       "there too, against its own dense samples.");
   page.table(paper_table(), write_table(settings, "table2-paper", paper_table()));
-  Table points{.columns = {"scene", "size", "method", "options", "rays_per_pixel", "category_only",
-                           "cpu_seconds", "psnr", "psnr_encoded", "ssim"},
-               .rows = {}};
-  Table reach{.columns = {"scene", "size", "dB", "rays", "CPU time"}, .rows = {}};
-  Json result{{"ratios", Json::array()}};
+  Found found;
   for (const std::string& name : names) {
-    const StudyScene scene(settings, name, sizes.front());
-    const std::string stem = name.empty() ? "scene" : name;
-    const Table table = our_table(settings, scene, sizes);
-    page.paragraph(scene.label);
-    page.table(table, write_table(settings, "table2-samples-" + stem, table));
-    for (const ImageSize& size : sizes) {
-      const Pixels reference = antialias_reference(settings, scene, size);
-      const AntialiasSweep outcomes = sweep_antialiasing(settings, scene, stem, size, reference);
-      const std::string dimensions = fmt::format("{}x{}", size.width, size.height);
-      for (const Antialiased& o : outcomes.outcomes) {
-        points.rows.push_back({scene.label, dimensions, o.family, o.knobs,
-                               fmt::format("{:.4f}", o.per_pixel),
-                               fmt::format("{:.4f}", o.category_only), fmt::format("{:.4f}", o.cpu),
-                               fmt::format("{:.2f}", o.linear), fmt::format("{:.2f}", o.encoded),
-                               fmt::format("{:.5f}", o.similarity)});
-      }
-      for (const double target : targets) {
-        const auto rays = cost_ratio(outcomes, target, extra);
-        const auto cpu = cost_ratio(outcomes, target, [](const Antialiased& o) { return o.cpu; });
-        reach.rows.push_back(
-            {scene.label, dimensions, fmt::format("{:.0f}", target), shown(rays), shown(cpu)});
-        result["ratios"].push_back({{"scene", scene.label},
-                                    {"size", dimensions},
-                                    {"db", target},
-                                    {"extra_rays", rays ? Json(*rays) : Json(nullptr)},
-                                    {"cpu", cpu ? Json(*cpu) : Json(nullptr)}});
-      }
-      show(settings, outcomes, page);
-      if (&size == &sizes.back()) {
-        show_differences(settings, scene, stem, size, reference, page);
-      }
-    }
+    study_scene(settings, name, sizes, page, found);
   }
   page.paragraph(
       "What adaptive needs of what the better of the threshold method and Whitted's needs, with "
-      "any "
-      "of their options, for the same PSNR in linear light: of the rays beyond one a pixel, and of "
-      "CPU time. Empty where a method does not get there.");
-  page.table(reach, write_table(settings, "table2-ratios", reach));
-  page.link(write_table(settings, "table2", points), "every method with every option");
-  return result;
+      "any of their options, for the same PSNR in linear light: of the rays beyond one a pixel, "
+      "and of CPU time. Empty where a method does not get there.");
+  page.table(found.reach, write_table(settings, "table2-ratios", found.reach));
+  page.link(write_table(settings, "table2", found.points), "every method with every option");
+  return {{"ratios", found.ratios}};
 }
 
 Json study_fig13(const StudySettings& settings, ReportPage& page) {
   const StudyScene scene(settings, "fig9", settings.size);
   const Rendering rendering = trace(settings, scene, settings.size, antialias_levels);
   const EdgeMap edges = detect_edges(rendering.categories);
-  const AntialiasedPicture picture =
-      antialiased(settings, scene, settings.size, {.method = AntialiasMethod::category, .samples = 4});
+  const AntialiasedPicture picture = antialiased(
+      settings, scene, settings.size, {.method = AntialiasMethod::category, .samples = 4});
   Image result(settings.size.width, settings.size.height);
   result.pixels = picture.without_alpha();
   page.section("fig13", "Fig. 13: antialiasing");

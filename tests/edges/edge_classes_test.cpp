@@ -137,8 +137,7 @@ TEST_CASE("an untold surface is another object's", "[edges][classes]") {
 
 TEST_CASE("a pixel has the classes of its three neighbours", "[edges][classes]") {
   const RayTree here{node(1, 0, 1)}, lit{node(1, 0, 2)}, turned{node(1, 1, 1)}, other{node(1, 8)};
-  const EdgeClasses classes = classify_edges(image_of(2, 1, {here, lit, here, turned, other, here}),
-                                             packed, surfaces(), Granularity::face);
+  const EdgeClasses classes = classes_of(image_of(2, 1, {here, lit, here, turned, other, here}));
   // Left pixel: right of it `lit`, below `turned`, across `other`. Right pixel: `here`, `other`,
   // `here` against `lit`.
   CHECK(classes.masks == std::vector<std::uint8_t>{shadow | face | object, shadow | object});
