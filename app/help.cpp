@@ -13,8 +13,8 @@ std::string GroupedHelp::make_help(const CLI::App* command, std::string name,
   if (mode == CLI::AppFormatMode::Sub) {
     return make_expanded(command);
   }
-  std::string text = make_description(command) + make_usage(command, std::move(name)) +
-                     make_positionals(command);
+  std::string text =
+      make_description(command) + make_usage(command, std::move(name)) + make_positionals(command);
   const std::array order{groups::picture,    groups::maps,   groups::view,   groups::scene,
                          groups::categories, groups::limits, groups::general};
   for (const std::string& group : order) {

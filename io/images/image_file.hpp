@@ -19,6 +19,6 @@ bool holds_alpha(const std::filesystem::path& path);
 /// it, and is left out of PPM, which has none. The file is there whole or not at all. Throws as
 /// `require_image_path` does, and `std::runtime_error` if it cannot be written.
 void write_image(const std::filesystem::path& path, const Image& image,
-                 const Provenance& provenance);
+                 const Provenance& provenance = {});
 
 }  // namespace raycat

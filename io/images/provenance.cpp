@@ -15,11 +15,15 @@ std::string one_line(std::string text) {
 
 std::vector<std::pair<std::string, std::string>> provenance_texts(
     const Provenance& from, const std::string& scene_keyword) {
-  std::vector<std::pair<std::string, std::string>> texts{
-      {"Software", one_line(from.command)}, {scene_keyword, one_line("scene " + from.scene)}};
-  if (!from.legend.empty()) {
-    texts.emplace_back("Legend", one_line(from.legend));
-  }
+  std::vector<std::pair<std::string, std::string>> texts;
+  const auto add = [&](const std::string& keyword, const std::string& text) {
+    if (!text.empty()) {
+      texts.emplace_back(keyword, one_line(text));
+    }
+  };
+  add("Software", from.command);
+  add(scene_keyword, from.scene.empty() ? "" : "scene " + from.scene);
+  add("Legend", from.legend);
   return texts;
 }
 

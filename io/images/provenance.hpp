@@ -7,7 +7,7 @@
 namespace raycat {
 
 /// Where an image comes from, written into the file: as text chunks in PNG, attributes in EXR,
-/// comments in PPM.
+/// comments in PPM. What is empty is left out.
 struct Provenance {
   std::string command;  ///< that makes it again
   std::string scene;    ///< the scene file
