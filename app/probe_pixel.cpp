@@ -80,7 +80,7 @@ std::string drawn(const Scene& scene, RayTree tree) {
 
 // Joins what `text` says of each of `items`.
 template <typename Items, typename Text>
-std::string joined(const Items& items, const char* between, const Text& text) {
+std::string listed(const Items& items, const char* between, const Text& text) {
   std::string all;
   for (const auto& item : items) {
     all += fmt::format("{}{}", all.empty() ? "" : between, text(item));
@@ -135,7 +135,7 @@ std::string symbol_name(const Scene& scene, const Extent& extent, Granularity id
 }
 
 void print_codes(const Codes& codes, const Scene& scene, const Extent& extent, Granularity ids) {
-  print("string category: " + joined(codes.string, ", ", [&](std::uint32_t symbol) {
+  print("string category: " + listed(codes.string, ", ", [&](std::uint32_t symbol) {
           return symbol_name(scene, extent, ids, symbol);
         }));
   if (codes.factors) {
@@ -152,7 +152,7 @@ void print_codes(const Codes& codes, const Scene& scene, const Extent& extent, G
     print("godel category: " + godel_number(codes.string).str());
   }
   print("heap category: " +
-        joined(codes.heap, " ", [](std::uint32_t word) { return fmt::format("{:08x}", word); }));
+        listed(codes.heap, " ", [](std::uint32_t word) { return fmt::format("{:08x}", word); }));
 }
 
 Json to_json(const Codes& codes) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -272,6 +274,58 @@ TEST_CASE("probe lists the crossings of rays with set operations applied", "[app
   CHECK(Json::parse(line)["crossings"].empty());
   REQUIRE(std::getline(lines, line));
   CHECK(Json::parse(line)["crossings"].size() == 3);
+}
+
+TEST_CASE("render's help has its options in groups, and examples at the end", "[app]") {
+  const std::string help = raycat("render --help").out;
+  std::size_t last = 0;
+  for (const char* const group :
+       {"\nPicture:\n  -o,--out", "\nMaps:\n  --lines", "\nView:\n  --size", "\nScene:\n",
+        "\nCategories:\n", "\nLimits:\n", "\nGeneral:\n  -h,--help", "\nExamples:\n"}) {
+    INFO(group);
+    const std::size_t at = help.find(group);
+    REQUIRE(at != std::string::npos);
+    CHECK(at > last);
+    last = at;
+  }
+  // No option is without a group, and each is listed once.
+  CHECK(help.find("\nOptions:") == std::string::npos);
+  for (const char* const option : {"--aa", "--coverage", "--ortho", "--crease", "--ids", "--stats",
+                                   "--max-nodes", "--threads"}) {
+    INFO(option);
+    const std::string line = fmt::format("\n  {} ", option);
+    REQUIRE(help.find(line) != std::string::npos);
+    CHECK(help.find(line, help.find(line) + 1) == std::string::npos);
+  }
+  std::size_t examples = 0;
+  for (std::size_t at = last;
+       (at = help.find("\n  raycat render ", at + 1)) != std::string::npos;) {
+    ++examples;
+  }
+  CHECK(examples == 3);
+}
+
+// Every library takes time at every start (docs/design.md, Outputs).
+TEST_CASE("the program starts with few shared libraries", "[app]") {
+  const Outcome outcome = shell(fmt::format("ldd '{}'", RAYCAT_PROGRAM));
+  REQUIRE(outcome.code == 0);
+  const auto lines = std::ranges::count(outcome.out, '\n');
+  CHECK(lines > 3);
+  CHECK(lines <= 25);
+}
+
+TEST_CASE("antialiasing does not trace the samples of maps again", "[app][render]") {
+  const TemporaryFolder folder;
+  const auto camera_rays = [&](const std::string& options) {
+    const Outcome outcome =
+        raycat(fmt::format("render {} --size 40x30 --json {}", scene("fig8"), options));
+    REQUIRE(outcome.code == 0);
+    return Json::parse(outcome.out)["rays"]["camera"].get<int>();
+  };
+  const std::string picture = fmt::format("-o '{}'", folder / "out.png");
+  CHECK(camera_rays("--lines '" + (folder / "lines.png") + "'") == 41 * 31);
+  CHECK(camera_rays(picture + " --alpha") == 41 * 31);
+  CHECK(camera_rays(picture + " --aa uniform --samples 3") == 41 * 31 + 40 * 30 * 8);
 }
 
 TEST_CASE("help and version are no errors", "[app]") {

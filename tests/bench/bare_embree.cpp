@@ -83,7 +83,7 @@ void BareEmbree::single_rays(const ImagePlane& plane, int left, int top, SeenIma
   rtcInitIntersectContext(&context);
   for (int y = top; y < top + tile; ++y) {
     for (int x = left; x < left + tile; ++x) {
-      const Ray ray = plane.ray(x + 0.5, y + 0.5);
+      const Ray ray = plane.sample_ray(x, y);
       RTCRayHit found;
       found.ray = {.org_x = static_cast<float>(ray.origin.x),
                    .org_y = static_cast<float>(ray.origin.y),

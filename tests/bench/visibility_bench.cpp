@@ -33,7 +33,7 @@ void closest_hits(const Accel& accel, const ImagePlane& plane, int left, int top
                   Solid::Scratch& scratch, SeenImage& out) {
   for (int y = top; y < top + tile; ++y) {
     for (int x = left; x < left + tile; ++x) {
-      const std::optional<Hit> hit = accel.closest(plane.ray(x + 0.5, y + 0.5), scratch);
+      const std::optional<Hit> hit = accel.closest(plane.sample_ray(x, y), scratch);
       out.at(x, y) = hit ? Seen{.geometry = static_cast<std::uint32_t>(hit->surface),
                                 .triangle = hit->triangle,
                                 .t = hit->t}

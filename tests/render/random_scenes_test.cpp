@@ -115,7 +115,7 @@ TEST_CASE("two samples have one heap category exactly when their ray trees are e
     for (int y = 0; y <= size; ++y) {
       for (int x = 0; x <= size; ++x) {
         RayTree tree;
-        trace(accel, plane.ray(x + 0.5, y + 0.5), 6, tree, scratch);
+        trace(accel, plane.sample_ray(x, y), 6, tree, scratch);
         const auto [known, added] = tree_of.try_emplace(image.at(x, y), tree);
         RC_ASSERT((known->second == tree));  // one category, one tree
         if (added) {

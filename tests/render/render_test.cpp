@@ -77,7 +77,7 @@ TEST_CASE("a sample's category is that of its own ray tree", "[categories][rende
   for (int y = 0; y <= 40; y += 4) {
     for (int x = 0; x <= 60; x += 3) {
       RayTree tree;
-      trace(accel, plane.ray(x + 0.5, y + 0.5), 6, tree, scratch);
+      trace(accel, plane.sample_ray(x, y), 6, tree, scratch);
       CategoryWords words;
       encode(encoder, tree, words);
       CHECK(std::ranges::equal(rendering.categories.table.words(rendering.categories.at(x, y)),

@@ -50,7 +50,7 @@ Bytes8 raycat(const Scene& scene, const Camera& camera) {
   Bytes8 out;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
-      const glm::vec3 colour = trace(accel, plane.ray(x + 0.5, y + 0.5), 8, nothing, scratch);
+      const glm::vec3 colour = trace(accel, plane.sample_ray(x, y), 8, nothing, scratch);
       for (int k = 0; k < 3; ++k) {
         const float value = srgb_from_linear(std::clamp(colour[k], 0.0f, 1.0f));
         out.push_back(static_cast<std::uint8_t>(255.0f * value + 0.5f));
