@@ -93,8 +93,8 @@ void trace_samples(const RenderOptions& options, const SceneView& view, const Ca
   ProgressBar bar(options.common.scene, options.common.quiet);
   settings.progress = bar.callback();
   if (categorized) {
-    rendered.categorized =
-        raycat::render(view.accel(), camera, settings, sampler ? &*sampler : nullptr);
+    rendered.categorized = sampler ? raycat::render(view.accel(), camera, settings, *sampler)
+                                   : raycat::render(view.accel(), camera, settings);
   } else if (!antialiased) {
     rendered.colour = render_colour(view.accel(), camera, settings, rendered.rays);
   }

@@ -74,10 +74,14 @@ void require_method(const RenderOptions& options, std::span<const WantedOutput> 
     if (options.detail.paths || options.subpixel > 0) {
       throw UsageError("--method none makes no categories, which --paths and --subpixel are for");
     }
-  } else if (*options.method != Method::heap && need_trees(wanted)) {
-    throw UsageError(fmt::format(
-        "--method {}: edge classes and views need the trees, which only heap categories hold",
-        name(*options.method)));
+    return;
+  }
+  for (const auto& [output, path] : wanted) {
+    if (*options.method != Method::heap && output->from == RenderOutput::From::trees) {
+      throw UsageError(
+          fmt::format("--method {}: {} needs the trees, which only heap categories hold",
+                      name(*options.method), output->option));
+    }
   }
 }
 

@@ -161,14 +161,9 @@ bool holds(std::span<const WantedOutput> wanted, std::string_view option) {
 }
 
 bool need_categories(std::span<const WantedOutput> wanted) {
-  return need_trees(wanted) || std::ranges::any_of(wanted, [](const WantedOutput& each) {
-           return each.output->from == From::categories;
-         });
-}
-
-bool need_trees(std::span<const WantedOutput> wanted) {
-  return std::ranges::any_of(
-      wanted, [](const WantedOutput& each) { return each.output->from == From::trees; });
+  return std::ranges::any_of(wanted, [](const WantedOutput& each) {
+    return each.output->from == From::categories || each.output->from == From::trees;
+  });
 }
 
 }  // namespace raycat::app

@@ -49,6 +49,5 @@ bool holds(std::span<const WantedOutput> wanted, std::string_view option);
 
 /// Does any of these come of categories, or of their trees?
 bool need_categories(std::span<const WantedOutput> wanted);
-bool need_trees(std::span<const WantedOutput> wanted);
 
 }  // namespace raycat::app

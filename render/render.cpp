@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "render/repeat_recorder.hpp"
 #include "render/scene_sampler.hpp"
@@ -103,6 +106,16 @@ void number_in_order(std::span<CategoryId> samples, std::size_t run,
   }
 }
 
+void require(const RenderSettings& settings) {
+  if (settings.width < 1 || settings.height < 1 || settings.threads < 1 || settings.levels < 1 ||
+      settings.levels > most_levels) {
+    throw std::invalid_argument(fmt::format(
+        "a picture has at least 1x1 pixels, 1 thread, and 1 to {} levels, but {}x{} "
+        "pixels, {} threads and {} levels are asked for",
+        most_levels, settings.width, settings.height, settings.threads, settings.levels));
+  }
+}
+
 }  // namespace
 
 Extent extent(const Scene& scene, const Detail& detail, int levels) {
@@ -111,8 +124,11 @@ Extent extent(const Scene& scene, const Detail& detail, int levels) {
           .surfaces = scene.surfaces.count(detail.ids) + (detail.paths ? 1 : 0)};
 }
 
-Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings,
-                 SceneSampler* keeper) {
+namespace {
+
+Rendering render_samples(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+                         SceneSampler* keeper) {
+  require(settings);
   const int columns = settings.width + 1;
   const int rows = settings.height + 1;
   Rendering result{.colour = Image(settings.width, settings.height)};
@@ -157,6 +173,17 @@ Rendering render(const Accel& accel, const Camera& camera, const RenderSettings&
     result.rays += worker.rays();
   }
   return result;
+}
+
+}  // namespace
+
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings) {
+  return render_samples(accel, camera, settings, nullptr);
+}
+
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+                 SceneSampler& keeper) {
+  return render_samples(accel, camera, settings, &keeper);
 }
 
 Image render_colour(const Accel& accel, const Camera& camera, const RenderSettings& settings,

@@ -17,10 +17,10 @@
 namespace raycat {
 
 struct RenderSettings {
-  int width = 512;
-  int height = 512;
-  int levels = 8;  ///< of recursion, the camera ray's hit being the first
-  int threads = 1;
+  int width = 512;   ///< 1 or more
+  int height = 512;  ///< 1 or more
+  int levels = 8;    ///< of recursion, the camera ray's hit being the first; 1 to 64
+  int threads = 1;   ///< 1 or more
   Method method = Method::heap;
   Detail detail;              ///< of the categories
   bool mark_textures = true;  ///< fill `CategoryImage::textured`
@@ -39,13 +39,10 @@ struct Rendering {
 /// What encoders must hold for a scene at a level of detail.
 Extent extent(const Scene& scene, const Detail& detail, int levels);
 
-class SceneSampler;
-
 /// Renders the image and the categories of its samples in one pass. The result does not depend
-/// on the number of threads. `keeper`, if there is one, is of the same scene, camera, size and
-/// levels, and keeps all samples, so that antialiasing does not trace them again.
-Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings,
-                 SceneSampler* keeper = nullptr);
+/// on the number of threads. Throws `std::invalid_argument` for settings out of range, and
+/// `std::length_error` if the method cannot hold the scene.
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings);
 
 /// Renders the image alone, recording nothing. One camera ray a pixel.
 Image render_colour(const Accel& accel, const Camera& camera, const RenderSettings& settings,
@@ -54,7 +51,7 @@ Image render_colour(const Accel& accel, const Camera& camera, const RenderSettin
 /// Samples between those of an image that was rendered with the same arguments.
 class FinerSamples {
  public:
-  /// Keeps references to `accel`, `camera` and `settings`.
+  /// Keeps a reference to `accel`.
   FinerSamples(const Accel& accel, const Camera& camera, const RenderSettings& settings,
                const CategoryImage& image)
       : accel_(accel),
@@ -74,8 +71,8 @@ class FinerSamples {
 
  private:
   const Accel& accel_;
-  const Camera& camera_;
-  const RenderSettings& settings_;
+  Camera camera_;
+  RenderSettings settings_;
   Encoder encoder_;
   CategoryTable table_;
   RayCounts rays_;

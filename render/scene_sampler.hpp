@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "antialias/sampler.hpp"
+#include "render/render.hpp"
 #include "render/repeat_recorder.hpp"
 #include "render/tree_table.hpp"
 #include "tracer/camera.hpp"
@@ -25,8 +26,8 @@ class SceneSampler : public Sampler {
   bool tells_cheaply(TreeId a, TreeId b) override;
   void thin(const std::function<void(const glm::dvec2&)>& visit) const override;
 
-  /// Keeps the sample that `render` has taken for a place of its lattice, row by row, so that it is
-  /// not traced again. `repeats`: is its tree that of the worker's sample before?
+  /// Keeps the sample that the `render` below has taken for a place of its lattice, row by row, so
+  /// that it is not traced again. `repeats`: is its tree that of the worker's sample before?
   void keep(std::size_t place, const glm::vec3& colour, const RayTree& tree, bool repeats,
             int worker);
 
@@ -65,5 +66,10 @@ class SceneSampler : public Sampler {
   std::vector<Worker> workers_;
   std::vector<ColourSample> kept_;  // by place; empty if none are
 };
+
+/// Renders as `render` does. `keeper`, which is of the same scene, camera, size and levels, keeps
+/// all samples.
+Rendering render(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+                 SceneSampler& keeper);
 
 }  // namespace raycat

@@ -88,8 +88,9 @@ int number(const Measure& of, View view) {
 }  // namespace
 
 std::string_view name(View view) {
-  constexpr std::string_view names[] = {"depth", "nodes", "lights", "branch", "category"};
-  return names[static_cast<int>(view)];
+  constexpr std::array<std::string_view, all_views.size()> names{"depth", "nodes", "lights",
+                                                                 "branch", "category"};
+  return names.at(static_cast<std::size_t>(view));
 }
 
 ViewImage view_image(CategoryTrees& trees, View view) {

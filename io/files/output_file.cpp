@@ -89,6 +89,9 @@ void write_beside(const fs::path& path, std::span<const std::byte> bytes) {
   if (error == 0 && ::fchmod(file.get(), usual_mode()) != 0) {
     error = errno;
   }
+  if (error == 0 && ::fsync(file.get()) != 0) {
+    error = errno;
+  }
   if (const int closing = file.close(); error == 0) {
     error = closing;
   }

@@ -54,6 +54,15 @@ TEST_CASE("copies of a view share what they hold", "[raycat]") {
   CHECK(&copy.accel() == &view.accel());
 }
 
+TEST_CASE("pictures without pixels, levels or threads are refused", "[raycat]") {
+  const SceneView view(scenes + "fig10.gltf");
+  CHECK_THROWS_WITH(view.render({.width = 0}), Catch::Contains("0x512 pixels"));
+  CHECK_THROWS_AS(view.render({.width = 9, .height = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(view.render({.width = 9, .height = 9, .levels = 65}), std::invalid_argument);
+  CHECK_THROWS_AS(view.render({.width = 9, .height = 9, .levels = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(view.render({.width = 9, .height = 9, .threads = 0}), std::invalid_argument);
+}
+
 TEST_CASE("a view of a file that is not there says so", "[raycat]") {
   CHECK_THROWS_WITH(SceneView("nowhere.gltf"), Catch::Contains("nowhere.gltf"));
 }

@@ -6,6 +6,7 @@
 
 #include "antialias/adaptive.hpp"
 #include "render/coverage.hpp"
+#include "render/render.hpp"
 #include "render/tree_difference.hpp"
 #include "support/scenes.hpp"
 
@@ -112,7 +113,7 @@ TEST_CASE("samples that a render has taken are not traced again, and antialias a
   for (const Backdrop backdrop : {Backdrop::shown, Backdrop::transparent}) {
     SceneSampler fresh(accel, camera, 40, 30, 6, 3, backdrop);
     SceneSampler keeper(accel, camera, 40, 30, 6, 3, backdrop, true);
-    render(accel, camera, settings, &keeper);
+    render(accel, camera, settings, keeper);
     for (const int side : {1, 3}) {
       const auto picture = [&](SceneSampler& sampler) {
         return antialias_uniformly(sampler, {.width = 40, .height = 30, .threads = 3}, side).colour;
