@@ -3,7 +3,7 @@
 # cmake -DNINJA=... -DOBJECT=... -P headers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(of_node raytree/ray_tree.hpp raytree/surface_id.hpp raytree/surface_table.hpp)
+set(of_node raytree/listing.hpp raytree/ray_tree.hpp raytree/surface_id.hpp raytree/surface_table.hpp)
 execute_process(COMMAND ${NINJA} -t deps ${OBJECT} OUTPUT_VARIABLE used
   COMMAND_ERROR_IS_FATAL ANY)
 if(NOT used MATCHES "raytree/ray_tree.hpp")
