@@ -38,8 +38,9 @@ set(raycat_uses_app raycat io/files io/scene io/images io/povray io/export io ra
 set(raycat_uses_app/study app dynamic raycat io/files io/images io/povray io tracer categories
   edges render)
 
-# raycat_packages_LIBRARY: those that a program with it is linked with; and those of them that its
-# headers include.
+# raycat_packages_LIBRARY: the packages that a program with it links. raycat_packages_in_headers:
+# those of them that our headers include. WebP and tinygltf, which CMake does not know, are in
+# io/CMakeLists.txt.
 set(raycat_packages_in_headers glm Threads)
 set(raycat_packages_raytree fmt)
 set(raycat_packages_threads Threads)
@@ -60,7 +61,7 @@ set(raycat_packages_io draco fmt JPEG meshoptimizer nlohmann_json OpenEXR OpenMe
 
 set(raycat_version_embree 3.13)
 
-# raycat_target_PACKAGE: what is linked of it.
+# raycat_target_PACKAGE: the target to link for a package.
 set(raycat_target_CGAL CGAL::CGAL)
 set(raycat_target_JPEG JPEG::JPEG)
 set(raycat_target_OpenEXR OpenEXR::OpenEXR)
@@ -74,8 +75,8 @@ set(raycat_target_glm glm::glm)
 set(raycat_target_meshoptimizer meshoptimizer::meshoptimizer)
 set(raycat_target_nlohmann_json nlohmann_json::nlohmann_json)
 
-# raycat_find_package(PACKAGE OPTIONS...): find_package, with the version that is needed, and without
-# the finders of its own for others that CGAL adds.
+# raycat_find_package(PACKAGE OPTIONS...): find_package with the required version. Restores
+# CMAKE_MODULE_PATH, to which CGAL adds finders of its own.
 macro(raycat_find_package package)
   set(_raycat_module_path ${CMAKE_MODULE_PATH})
   find_package(${package} ${raycat_version_${package}} ${ARGN})

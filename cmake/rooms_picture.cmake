@@ -28,7 +28,7 @@ foreach(room ${raycat_rooms})
   endif()
 endforeach()
 
-# Where each stands: the rooms of a row in the middle of the picture.
+# Where each stands: the rooms of a row share its width.
 set(most 0)
 foreach(level RANGE ${rows})
   list(LENGTH rooms_of_${level} count)
@@ -41,7 +41,8 @@ math(EXPR height "${rows} * ${row} + ${box_height} + 20")
 set(boxes)
 foreach(level RANGE ${rows})
   list(LENGTH rooms_of_${level} count)
-  math(EXPR x "(${width} - ${count} * ${column}) / 2 + (${column} - ${box_width}) / 2")
+  math(EXPR space "${width} / ${count}")
+  math(EXPR x "${space} / 2 - ${box_width} / 2")
   math(EXPR y "10 + (${rows} - ${level}) * ${row}")
   foreach(room ${rooms_of_${level}})
     math(EXPR middle_${room} "${x} + ${box_width} / 2")
@@ -51,7 +52,7 @@ foreach(level RANGE ${rows})
     string(APPEND boxes
       "  <rect x=\"${x}\" y=\"${y}\" width=\"${box_width}\" height=\"${box_height}\" rx=\"4\"/>\n"
       "  <text x=\"${middle_${room}}\" y=\"${text_y}\">${room}</text>\n")
-    math(EXPR x "${x} + ${column}")
+    math(EXPR x "${x} + ${space}")
   endforeach()
 endforeach()
 

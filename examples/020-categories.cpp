@@ -7,13 +7,16 @@
 
 int main(int argc, char** argv) {
   if (argc != 2) {
+    std::puts("usage: 020-categories SCENE");
     return 2;
   }
   const raycat::SceneView scene(argv[1]);
   const raycat::CategoryImage categories = scene.render({.width = 64, .height = 64}).categories;
 
   // A category is a number: pixels of one number saw the same surfaces under the same lights, also
-  // in mirrors and through glass. Its tree tells which.
+  // in mirrors and through glass. The tree says which surfaces and lights: position 1 is what the
+  // camera sees, 2p what is seen from p by refraction and 2p + 1 by reflection; children come
+  // first; no nodes mean background. Bit i of `lights` is light i.
   raycat::CategoryTrees trees(categories);
   const raycat::SurfaceTable& surfaces = scene.scene().surfaces;
   for (int x = 0; x < 64; ++x) {

@@ -2,17 +2,19 @@
 // which of the leaf's faces it is, as 64 x 48 numbers.
 //
 //     030-face-ids part.csg
+#include <cstdint>
 #include <cstdio>
 
 #include <raycat/raycat.hpp>
 
 int main(int argc, char** argv) {
   if (argc != 2) {
+    std::puts("usage: 030-face-ids SCENE");
     return 2;
   }
   const raycat::SceneView scene(argv[1]);
 
-  // Of the ray tree keep what the camera itself sees, and no lights.
+  // Keep only what the camera sees directly, without lights.
   const raycat::Detail seen{.levels = 1, .lights = false};
   const raycat::CategoryImage image =
       scene.render({.width = 64, .height = 48, .levels = 1, .detail = seen}).categories;
@@ -26,7 +28,7 @@ int main(int argc, char** argv) {
     std::printf("\n");
   }
 
-  // And what these are called.
+  // Print their names.
   const raycat::SurfaceTable& surfaces = scene.scene().surfaces;
   for (std::uint32_t face = 0; face < surfaces.faces(); ++face) {
     const raycat::SurfaceId id{face};

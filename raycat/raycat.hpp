@@ -7,8 +7,8 @@
 ///     const raycat::EdgeMap edges = raycat::detect_edges(picture.categories);
 ///     raycat::write_image("lines.png", raycat::line_image(edges));
 ///
-/// `SceneView` is what to learn first; examples/ goes on from there. Another ray tracer needs none
-/// of it, but the categories and edges alone (docs/adopting.md).
+/// Start with `SceneView`; examples/ goes on from there. A different ray tracer needs only
+/// categories and edges (docs/adopting.md). Antialiasing is the program's alone so far.
 
 #include "categories/category_trees.hpp"
 #include "categories/recode.hpp"
