@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "antialias/adaptive_constants.hpp"
 #include "antialias/antialias.hpp"
 
 namespace raycat {
@@ -17,6 +18,9 @@ struct AdaptiveSettings {
 
   /// Do categories take part in what is decided? Without them colours alone do, for comparison.
   bool categories = true;
+
+  /// To be changed by who measures them.
+  AdaptiveConstants constants;
 };
 
 /// Our own method (docs/antialiasing.md): coverage instead of averages. Where two categories meet

@@ -32,6 +32,7 @@ class PixelSamples {
 
   SampleLattice& lattice() const noexcept { return lattice_; }
   bool by_colour() const noexcept { return !settings_.categories; }
+  const AdaptiveConstants& constants() const noexcept { return settings_.constants; }
   float error() const noexcept { return error_; }
   bool refined() const noexcept { return refined_; }
 

@@ -156,8 +156,6 @@ bool SquareAntialiaser::find_thin(const Square& square, const Expected& expected
 std::optional<glm::vec4> SquareAntialiaser::as_smooth(const Square& square,
                                                       const Corners& corners) {
   const float allowed = samples_.error() / samples_.area(square);
-  // Half of the greatest difference cannot be exceeded by much, and most squares are flat.
-  constexpr float without_neighbours = 0.08f;
   glm::vec4 correction(0.0f);
   float error = 0.0f;
   for (int axis = 0; axis < 2; ++axis) {
@@ -188,7 +186,7 @@ std::optional<glm::vec4> SquareAntialiaser::as_smooth(const Square& square,
     }
     constexpr float twelfth = 1.0f / 12.0f;
     if (count == 0) {
-      error += without_neighbours * farthest(corners);
+      error += samples_.constants().unseen_bend * farthest(corners);
     } else {
       error += twelfth * std::sqrt(largest);
       correction += twelfth / static_cast<float>(count) * sum;
@@ -203,8 +201,8 @@ std::optional<glm::vec4> SquareAntialiaser::as_smooth(const Square& square,
 
 glm::vec4 SquareAntialiaser::as_parts(const Square& square, const Corners& corners) {
   const float a = samples_.area(square);
-  const CornerLabels labels =
-      label_corners(corners, samples_.by_colour(), samples_.error() / a, 0.15f);
+  const CornerLabels labels = label_corners(corners, samples_.by_colour(), samples_.error() / a,
+                                            samples_.constants().one_surface);
   if (labels.count == 1 || labels.apart * a / 4.0f < samples_.error()) {
     const auto one = as_one(square, corners, labels.farthest);
     return one ? *one : subdivide(square, corners);

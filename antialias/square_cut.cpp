@@ -154,8 +154,9 @@ float error_in_middle(PixelSamples& samples, const Square& square, const Corners
   const SquareCut::Part& other = cut.parts[1 - part];
   float error = 0.0f;
   if (label_of(centre, corners, labels, samples.by_colour()) == other.region.label) {
-    error = is.integral.area < 0.62f
-                ? std::max(0.0f, 2.0f * (is.integral.area - 0.45f)) * labels.apart
+    const AdaptiveConstants& constants = samples.constants();
+    error = is.integral.area < constants.bent_border
+                ? std::max(0.0f, 2.0f * (is.integral.area - constants.harmless_bend)) * labels.apart
                 : labels.apart;
   } else {
     const glm::vec4 expected = is.surface.plane ? is.surface.at(glm::vec2(0.5f)) : is.integral.mean;
