@@ -63,7 +63,7 @@ class SquareAntialiaser {
   bool find_thin(const Square& square, const Expected& expected);
   std::optional<glm::vec4> as_smooth(const Square& square, const Corners& corners);
   glm::vec4 as_parts(const Square& square, const Corners& corners);
-  std::optional<glm::vec4> as_one(const Square& square, const Corners& corners, float diff);
+  std::optional<glm::vec4> as_one(const Square& square, const Corners& corners, float greatest);
   std::optional<glm::vec4> as_two(const Square& square, const Corners& corners,
                                   const CornerLabels& labels);
 

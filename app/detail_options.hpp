@@ -6,7 +6,7 @@
 #include "categories/detail.hpp"
 #include "tracer/scene.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 

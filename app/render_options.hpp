@@ -11,7 +11,7 @@
 #include "app/view.hpp"
 #include "categories/encoder.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 

@@ -6,7 +6,7 @@
 #include "io/scene/scene_file.hpp"
 #include "tracer/camera.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 

@@ -160,10 +160,12 @@ struct TriangleIndex::Tree {
                  (*query.view)(mesh.positions[triangle.z]), args->primID, *query.out);
   }
 
+  // Public, though the struct itself is not.  NOLINTBEGIN(readability-identifier-naming)
   const TriangleMesh& mesh;
   glm::dvec3 center;
   double scale;
   RTCScene scene;
+  // NOLINTEND(readability-identifier-naming)
 };
 
 TriangleIndex::TriangleIndex(const TriangleMesh& mesh)

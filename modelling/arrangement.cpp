@@ -136,9 +136,11 @@ void cut(const glm::uvec3& corners, std::uint32_t triangle, Drawing& drawing, Po
     }
   }
   std::ranges::sort(drawing.points);
-  drawing.points.erase(std::ranges::unique(drawing.points).begin(), drawing.points.end());
+  drawing.points.erase(std::unique(drawing.points.begin(), drawing.points.end()),
+                       drawing.points.end());
   std::ranges::sort(drawing.segments);
-  drawing.segments.erase(std::ranges::unique(drawing.segments).begin(), drawing.segments.end());
+  drawing.segments.erase(std::unique(drawing.segments.begin(), drawing.segments.end()),
+                         drawing.segments.end());
 
   const Plane plane(out.points[corners.x], out.points[corners.y], out.points[corners.z]);
   std::vector<std::pair<Exact::Point_2, VertexNumber>> flat;

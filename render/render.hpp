@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -52,11 +53,11 @@ Image render_colour(const Accel& accel, const Camera& camera, const RenderSettin
 class FinerSamples {
  public:
   /// Keeps a reference to `accel`.
-  FinerSamples(const Accel& accel, const Camera& camera, const RenderSettings& settings,
+  FinerSamples(const Accel& accel, Camera camera, RenderSettings settings,
                const CategoryImage& image)
       : accel_(accel),
-        camera_(camera),
-        settings_(settings),
+        camera_(std::move(camera)),
+        settings_(std::move(settings)),
         encoder_(*image.encoder),
         table_(image.table) {}
 

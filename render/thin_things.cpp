@@ -85,6 +85,7 @@ class Finder {
     constexpr double a_pixel = 4.0;
     const double length = (inside.end - inside.begin) * glm::length(way);
     const double count = length < thin ? 1.0 : std::ceil(a_pixel * length);
+    // A double, since counts may be past any integer.
     for (double i = 0.5; i < count; i += 1.0) {
       visit_(start + (inside.begin + i / count * (inside.end - inside.begin)) * way);
     }

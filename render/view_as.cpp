@@ -31,6 +31,7 @@ Measure measure(const RayTree& tree) {
       result.lights = std::popcount(node.lights);
       continue;
     }
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): only the root has level 1
     const HeapPosition child_of_root = node.position >> (deep - 2);
     ++(child_of_root == reflected(root) ? result.reflected_nodes : result.refracted_nodes);
   }

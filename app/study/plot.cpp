@@ -149,9 +149,10 @@ class Drawing {
   void draw_legend() {
     for (std::size_t i = 0; i < plot_.series.size(); ++i) {
       const PlotSeries& series = plot_.series[i];
-      const double column = static_cast<double>(i % legend_columns);
+      const auto column = static_cast<double>(i % legend_columns);
+      const std::size_t row = i / legend_columns;
       const glm::dvec2 at(left + column * (right - left) / legend_columns,
-                          bottom_ + 60 + legend_line * static_cast<double>(i / legend_columns));
+                          bottom_ + 60 + legend_line * static_cast<double>(row));
       const std::array<glm::dvec2, 2> ends{at, at + glm::dvec2(36, 0)};
       page_.line(ends, style_of(series).colour, 2.0, series.dashed);
       draw_marker(series, at + glm::dvec2(18, 0));

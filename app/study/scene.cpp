@@ -70,7 +70,7 @@ std::string percent(double share) { return fmt::format("{:.2f}", 100.0 * share);
 
 std::string write_picture(const StudySettings& settings, const std::string& name,
                           const Image& image, const std::string& scene) {
-  const std::string file = name + ".png";
+  std::string file = name + ".png";
   const std::string figure = name.substr(0, name.find('-'));
   const InterruptDelay delay;
   write_image(settings.folder / file, image,
@@ -82,7 +82,7 @@ std::string write_picture(const StudySettings& settings, const std::string& name
 
 std::string write_table(const StudySettings& settings, const std::string& name,
                         const Table& table) {
-  const std::string file = name + ".csv";
+  std::string file = name + ".csv";
   const InterruptDelay delay;
   write_file(settings.folder / file, csv(table));
   return file;

@@ -185,7 +185,7 @@ class GlbWriter {
       faces.insert(faces.end(), part.mesh.triangles.faces.begin(), part.mesh.triangles.faces.end());
     }
     std::ranges::sort(faces);
-    faces.erase(std::ranges::unique(faces).begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
   }
 

@@ -30,7 +30,7 @@ std::string names(const SurfaceTable& surfaces, std::span<const ObjectMesh> obje
   for (std::size_t i = 0; i < objects.size(); ++i) {
     std::vector<std::uint32_t> faces = meshes[i].faces;
     std::ranges::sort(faces);
-    faces.erase(std::ranges::unique(faces).begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     if (faces.empty()) {
       continue;
     }

@@ -152,7 +152,7 @@ FeatureIds numbered(std::vector<std::uint32_t> features) {
   if (end > std::max<std::size_t>(features.size(), std::size_t{1} << 16)) {
     std::vector<std::uint32_t> used = features;
     std::ranges::sort(used);
-    used.erase(std::ranges::unique(used).begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
     for (std::uint32_t& feature : features) {
       feature =
           feature == none

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <ranges>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -74,10 +74,10 @@ class SceneReader {
           "physics shapes are not drawn where meshes are, nor without a closed form: {}",
           hidden_colliders_));
     }
-    if (!meshes_.misstated().empty()) {
-      document_.warnings.push_back(
-          fmt::format("min or max is not that of the data, which count: accessors {}",
-                      fmt::join(meshes_.misstated() | std::views::take(10), ", ")));
+    if (const auto& misstated = meshes_.misstated(); !misstated.empty()) {
+      const std::span some(misstated.data(), std::min<std::size_t>(misstated.size(), 10));
+      document_.warnings.push_back(fmt::format(
+          "min or max is not that of the data, which count: accessors {}", fmt::join(some, ", ")));
     }
     out.warnings.insert(out.warnings.begin(), document_.warnings.begin(), document_.warnings.end());
     return std::move(out);
