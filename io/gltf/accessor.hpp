@@ -19,7 +19,7 @@ namespace raycat {
 class GltfAccessor {
  public:
   /// Throws `LoadError` if the buffer has no data, or a sparse index is out of range.
-  GltfAccessor(const GltfDocument& document, std::size_t accessor);
+  GltfAccessor(const GltfDocument& document, std::size_t number);
 
   std::size_t size() const noexcept { return count_; }
   int components() const noexcept { return components_; }

@@ -23,8 +23,10 @@ using OtherReader = std::function<SceneFile(const std::filesystem::path& file, S
 class GltfAssets {
  public:
   /// `read_other` reads what is not glTF.
-  GltfAssets(const LoadOptions& options, const OtherReader& read_other)
-      : options_(options), read_other_(read_other), budget_(options.limits) {}
+  GltfAssets(LoadOptions options, OtherReader read_other)
+      : options_(std::move(options)),
+        read_other_(std::move(read_other)),
+        budget_(options_.limits) {}
 
   /// What `asset` names, for a node of `document`. Throws `LoadError` if it cannot be read, is
   /// not below the document's folder or places itself.
