@@ -44,15 +44,18 @@ bool LightPassage::first_of_passage(unsigned mesh, float t, float near) {
     first_[count_++] = {mesh, t};
     return true;
   }
-  const auto after = others_.lower_bound({mesh, t});
+  if (!others_) {
+    others_ = std::make_unique<std::set<Passage>>();
+  }
+  const auto after = others_->lower_bound({mesh, t});
   const auto is_near = [&](const Passage& other) {
     return other.first == mesh && std::abs(other.second - t) <= near;
   };
-  if ((after != others_.end() && is_near(*after)) ||
-      (after != others_.begin() && is_near(*std::prev(after)))) {
+  if ((after != others_->end() && is_near(*after)) ||
+      (after != others_->begin() && is_near(*std::prev(after)))) {
     return false;
   }
-  others_.emplace_hint(after, mesh, t);
+  others_->emplace_hint(after, mesh, t);
   return true;
 }
 

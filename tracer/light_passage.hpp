@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -55,7 +56,7 @@ class LightPassage {
   // The first passages, of which rays seldom have more, and then the others in order.
   std::array<Passage, 16> first_;  // as many as `count_`; the rest is not even cleared
   std::size_t count_ = 0;
-  std::set<Passage> others_;
+  std::unique_ptr<std::set<Passage>> others_;  // null while there are none
 };
 
 }  // namespace raycat
