@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/gtx/component_wise.hpp>
 
 #include "tracer/accel_index.hpp"
 
@@ -11,10 +10,7 @@ namespace raycat {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double float_ulp = 0x1p-23;
 constexpr double double_ulp = 0x1p-52;
-
-double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
 
 // Meets the triangle that Embree found again in double precision.
 Hit mesh_hit(const Scene& scene, const Ray& ray, const RTCRayHit& found) {

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/gtx/component_wise.hpp>
 
 #include "geometry/line_clip.hpp"
 #include "tracer/material_at.hpp"
@@ -14,9 +13,6 @@ namespace raycat {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr double float_ulp = 0x1p-23;
-
-double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
 
 AccelQuery& query_of(RTCIntersectContext* context) {
   return *reinterpret_cast<AccelQuery*>(context);

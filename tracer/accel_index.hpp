@@ -5,11 +5,19 @@
 #include <vector>
 
 #include <embree3/rtcore.h>
+#include <glm/common.hpp>
+#include <glm/gtx/component_wise.hpp>
 
 #include "tracer/accel.hpp"
 #include "tracer/light_passage.hpp"
 
 namespace raycat {
+
+/// The error of a coordinate in Embree's single precision, relative to it.
+inline constexpr double float_ulp = 0x1p-23;
+
+/// The coordinate that is greatest, whatever its sign.
+inline double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
 
 /// One ray under way through Embree. The context comes first, so that callbacks find the rest.
 struct AccelQuery {

@@ -39,13 +39,11 @@ bool begins_as_glb(const std::filesystem::path& file) {
 }  // namespace
 
 SceneKind scene_kind(const std::filesystem::path& file) {
-  if (begins_as_glb(file)) {
-    return SceneKind::gltf;
-  }
   const std::string extension = lower_extension(file);
   const auto known =
       std::ranges::find(kinds, extension, [](const auto& kind) { return kind.first; });
-  return known == kinds.end() ? SceneKind::other : known->second;
+  const SceneKind named = known == kinds.end() ? SceneKind::other : known->second;
+  return named != SceneKind::gltf && begins_as_glb(file) ? SceneKind::gltf : named;
 }
 
 }  // namespace raycat
