@@ -106,12 +106,12 @@ std::optional<TreeId> SceneSampler::side(const glm::dvec2& point, TreeId a, Tree
   }
   const auto answer = [&](bool is_a) { return is_a ? a : b; };
   ++at.scratch.rays.camera;
-  Ray ray = plane_.ray(point.x, point.y);
+  ChildRay ray{plane_.ray(point.x, point.y), {}};
   Media media;
   // Down to the node that tells them apart, along nodes that both have.
   for (int below = level(apart->position) - 1;; --below) {
     const HeapPosition position = apart->position >> below;
-    const std::optional<Hit> hit = accel_.closest(ray, at.scratch.solid);
+    const std::optional<Hit> hit = accel_.closest(ray, at.scratch.solid, ray.from);
     if (below == 0) {
       if (!apart->light) {
         const auto met = hit ? std::optional(hit->surface) : std::nullopt;
@@ -131,7 +131,7 @@ std::optional<TreeId> SceneSampler::side(const glm::dvec2& point, TreeId a, Tree
     }
     const Shading shading = spawn(accel_, ray, *hit, media, at.scratch);
     const bool by_reflection = (apart->position >> (below - 1) & 1) != 0;
-    const std::optional<Ray>& next = by_reflection ? shading.reflection : shading.refraction;
+    const std::optional<ChildRay>& next = by_reflection ? shading.reflection : shading.refraction;
     if (!next) {
       return below == 1 && !apart->a   ? std::optional(a)
              : below == 1 && !apart->b ? std::optional(b)

@@ -1,42 +1,17 @@
 #include "tracer/accel.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "tracer/accel_index.hpp"
+#include "tracer/accel_query.hpp"
 
 namespace raycat {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double double_ulp = 0x1p-52;
-
-// Meets the triangle that Embree found again in double precision.
-Hit mesh_hit(const Scene& scene, const Ray& ray, const RTCRayHit& found) {
-  const MeshInstance& instance = scene.meshes[found.hit.geomID];
-  const TriangleCorners triangle = corners(instance, found.hit.primID);
-  const Ray local = instance.transform.to_local(ray);
-  const glm::dvec3 ab = triangle.b - triangle.a;
-  const glm::dvec3 ac = triangle.c - triangle.a;
-  const glm::dvec3 normal = glm::cross(ab, ac);
-  const glm::dvec3 from = local.origin - triangle.a;
-  const double facing = glm::dot(normal, local.direction);
-  const double inverse = 1.0 / facing;
-  const glm::dvec3 turn = glm::cross(from, local.direction);
-  const glm::dvec2 barycentric(glm::clamp(glm::dot(ac, turn) * -inverse, 0.0, 1.0),
-                               glm::clamp(glm::dot(ab, turn) * inverse, 0.0, 1.0));
-  const MeshPoint point{
-      .mesh = *instance.mesh, .triangle = found.hit.primID, .barycentric = barycentric};
-  return {.t = -glm::dot(normal, from) / facing,
-          .surface = SurfaceId{static_cast<std::uint32_t>(instance.first_face) + point.face()},
-          .material = instance.material,
-          .entering = facing < 0.0,
-          .normal = instance.transform.normal(normal),
-          .mesh = &instance,
-          .triangle = found.hit.primID,
-          .barycentric = barycentric};
-}
 
 }  // namespace
 
@@ -44,69 +19,64 @@ Accel::Accel(const Scene& scene) : scene_(scene), index_(std::make_unique<Index>
 
 Accel::~Accel() = default;
 
-std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch) const {
-  AccelQuery query(ray, infinity, scratch);
+std::optional<Hit> Accel::closest(const Ray& ray, Solid::Scratch& scratch,
+                                  const Departure& from) const {
+  AccelQuery query(*index_, ray, from, infinity, scratch);
   for (const SolidObject* object : index_->unbounded) {
-    query.try_closest(*object);
+    query.offer(*object);
   }
   RTCRayHit found;
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  if (index_->start(ray, query, found.ray)) {
+  if (index_->start(query, found.ray)) {
     rtcInitIntersectContext(&query.context);
     rtcIntersect1(index_->embree.get(), &query.context, &found);
   }
-  if (found.hit.geomID < scene_.meshes.size()) {
-    std::optional<Hit> hit(mesh_hit(scene_, ray, found));
-    if (!std::isfinite(hit->t)) {  // a triangle seen edge-on
-      hit->t = query.start + static_cast<double>(found.ray.tfar);
-    }
-    if (hit->t < query.t_end) {
-      return hit;
-    }
-  }
-  if (query.solid == nullptr) {
-    return std::nullopt;
-  }
-  const Solid& solid = query.solid->solid;
-  return Hit{.t = query.boundary.t,
-             .surface = solid.surface(query.boundary),
-             .material = query.solid->materials[query.boundary.leaf],
-             .entering = query.boundary.entering,
-             .normal = solid.normal(query.boundary)};
+  return query.first();
 }
 
-glm::vec3 Accel::transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch) const {
+glm::vec3 Accel::transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch,
+                               const Departure& from) const {
   LightPassage light(ray, t_end);
+  AccelQuery query(*index_, ray, from, t_end, scratch);
   for (const SolidObject* object : index_->unbounded) {
-    if (!light.through(*object, scene_, scratch)) {
+    if (!query.shade(*object, light)) {
       return glm::vec3(0.0f);
     }
   }
-  AccelQuery query(ray, t_end, scratch);
   query.light = &light;
   RTCRay shadow;
-  if (index_->start(ray, query, shadow)) {
+  if (index_->start(query, shadow)) {
     rtcInitIntersectContext(&query.context);
     rtcOccluded1(index_->embree.get(), &query.context, &shadow);
-    if (shadow.tfar < 0.0f) {
-      return glm::vec3(0.0f);
-    }
   }
-  return light.left();
+  return light.stopped() ? glm::vec3(0.0f) : light.left();
+}
+
+std::optional<Hit> Accel::next_at(const Ray& ray, const Hit& hit, Solid::Scratch& scratch) const {
+  if (!hit.layer.shared()) {
+    return std::nullopt;
+  }
+  const Departure from = departure(hit, ray.direction);
+  const Ray on{.origin = ray.at(hit.t), .direction = ray.direction};
+  std::optional<Hit> next = closest(on, scratch, from);
+  if (!next || next->layer.surface != hit.layer.surface || std::abs(next->t) > from.behind) {
+    return std::nullopt;
+  }
+  next->t += hit.t;
+  return next;
 }
 
 glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal) const {
   const glm::dvec3 point = ray.at(hit.t);
-  if (hit.mesh == nullptr) {
-    const double error = 0x1p20 * double_ulp * std::max(greatest(point), greatest(ray.origin));
-    return point + error * normal;
+  return point + index_->leave_distance(ray.origin, point) * normal;
+}
+
+Departure Accel::departure(const Hit& hit, const glm::dvec3& direction) const {
+  if (!hit.layer.shared()) {
+    return {};
   }
-  const TriangleCorners triangle = corners(*hit.mesh, hit.triangle);
-  double scale = greatest(point - index_->centre);
-  for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c}) {
-    scale = std::max(scale, greatest(hit.mesh->transform.point(corner) - index_->centre));
-  }
-  return point + 4 * float_ulp * scale * normal;
+  const double rise = std::abs(glm::dot(hit.normal, direction));
+  return {.layer = hit.layer, .behind = index_->place() / rise};
 }
 
 }  // namespace raycat

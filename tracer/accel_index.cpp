@@ -1,122 +1,158 @@
 #include "tracer/accel_index.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "geometry/line_clip.hpp"
-#include "tracer/material_at.hpp"
+#include "tracer/accel_query.hpp"
 
 namespace raycat {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr double double_ulp = 0x1p-52;
+
+// A mesh that spans fewer of its coordinates' float errors than this is met in double alone.
+constexpr double fewest_steps = 4096.0;
+
+// Within so many of Embree's errors of its start, a ray is told apart from what it starts on.
+constexpr double near_paddings = 64.0;
 
 AccelQuery& query_of(RTCIntersectContext* context) {
   return *reinterpret_cast<AccelQuery*>(context);
 }
 
-// Does the ray meet the triangle from outside?
-bool faces(const MeshInstance& instance, std::uint32_t triangle, const Ray& ray) {
-  const TriangleCorners local = corners(instance, triangle);
-  const glm::dvec3 normal = glm::cross(local.b - local.a, local.c - local.a);
-  return glm::dot(normal, instance.transform.to_local(ray).direction) < 0.0;
+const Accel::Index& index_of(void* user) { return *static_cast<const Accel::Index*>(user); }
+
+void set_bounds(const Accel::Index& index, const Bounds& box, RTCBounds& out) {
+  const glm::vec3 low(box.min - index.centre - index.padding);
+  const glm::vec3 high(box.max - index.centre + index.padding);
+  out = {.lower_x = low.x,
+         .lower_y = low.y,
+         .lower_z = low.z,
+         .align0 = 0,
+         .upper_x = high.x,
+         .upper_y = high.y,
+         .upper_z = high.z,
+         .align1 = 0};
+}
+
+// Embree's ray ends where the query is done; what is hit, the query knows.
+void found_first(const RTCIntersectFunctionNArguments* args, const AccelQuery& query) {
+  auto& found = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  found.ray.tfar = std::min(found.ray.tfar, query.reach());
+  found.hit.geomID = args->geomID;
+  found.hit.primID = args->primID;
+}
+
+void stop(const RTCOccludedFunctionNArguments* args) {
+  reinterpret_cast<RTCRay*>(args->ray)->tfar = -infinity;
 }
 
 void solid_bounds(const RTCBoundsFunctionArguments* args) {
-  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
-  const Bounds& box = index.bounded[args->primID]->solid.bounds();
-  const glm::vec3 low(box.min - index.centre - index.padding);
-  const glm::vec3 high(box.max - index.centre + index.padding);
-  *args->bounds_o = {.lower_x = low.x,
-                     .lower_y = low.y,
-                     .lower_z = low.z,
-                     .align0 = 0,
-                     .upper_x = high.x,
-                     .upper_y = high.y,
-                     .upper_z = high.z,
-                     .align1 = 0};
+  const Accel::Index& index = index_of(args->geometryUserPtr);
+  set_bounds(index, index.bounded[args->primID]->solid.bounds(), *args->bounds_o);
 }
 
 void solid_intersect(const RTCIntersectFunctionNArguments* args) {
-  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
   AccelQuery& query = query_of(args->context);
-  if (*args->valid != 0 && query.try_closest(*index.bounded[args->primID])) {
-    auto& found = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-    // Rounded up, so that what is closer than this by less than a float can tell is still tried.
-    const float tfar = std::nextafter(static_cast<float>(query.t_end - query.start), infinity);
-    if (tfar < found.ray.tfar) {  // else a triangle has been found in front of it
-      found.ray.tfar = tfar;
-      found.hit.geomID = args->geomID;
-      found.hit.primID = args->primID;
-    }
+  if (*args->valid != 0 && query.offer(*index_of(args->geometryUserPtr).bounded[args->primID])) {
+    found_first(args, query);
   }
 }
 
 void solid_occluded(const RTCOccludedFunctionNArguments* args) {
-  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
   AccelQuery& query = query_of(args->context);
   if (*args->valid != 0 &&
-      !query.light->through(*index.bounded[args->primID], index.scene, query.scratch)) {
-    reinterpret_cast<RTCRay*>(args->ray)->tfar = -infinity;
+      !query.shade(*index_of(args->geometryUserPtr).bounded[args->primID], *query.light)) {
+    stop(args);
   }
 }
 
-// The triangle that a filter is asked about.
-struct Filtered {
-  explicit Filtered(const RTCFilterFunctionNArguments* args)
-      : index(*static_cast<const Accel::Index*>(args->geometryUserPtr)),
-        hit(*reinterpret_cast<const RTCHit*>(args->hit)),
-        instance(index.scene.meshes[hit.geomID]),
-        material(material_of(index.scene, instance.material)),
-        point{.mesh = *instance.mesh, .triangle = hit.primID, .barycentric = {hit.u, hit.v}},
-        base(base_colour(index.scene, material, point)) {}
+// Calls `seen(met)` for what the ray meets of a mesh that Embree does not see, until it is false.
+template <typename Seen>
+void pass(const Accel::Index::SmallMesh& mesh, const Ray& ray, const Seen& seen) {
+  thread_local TriangleIndex::Passages passages;
+  mesh.triangles->pass(mesh.instance->transform.to_local(ray), passages);
+  for (const TriangleIndex::Passage& passage : passages.list) {
+    const std::optional<TriangleMet> met = meet(*mesh.instance, passage.triangle, ray);
+    if (met && !seen(*met)) {
+      return;
+    }
+  }
+}
 
-  bool masked() const { return material.alpha * base.a < material.alpha_cutoff; }
+void small_mesh_bounds(const RTCBoundsFunctionArguments* args) {
+  const Accel::Index& index = index_of(args->geometryUserPtr);
+  const MeshInstance* instance = index.small_meshes[args->primID].instance;
+  set_bounds(index, index.mesh_bounds[static_cast<std::size_t>(instance - index.scene.meshes.data())],
+             *args->bounds_o);
+}
 
-  const Accel::Index& index;
-  const RTCHit& hit;
-  const MeshInstance& instance;
-  const Material& material;
-  MeshPoint point;
-  glm::vec4 base;
-};
+void small_mesh_intersect(const RTCIntersectFunctionNArguments* args) {
+  AccelQuery& query = query_of(args->context);
+  if (*args->valid == 0) {
+    return;
+  }
+  bool found = false;
+  pass(index_of(args->geometryUserPtr).small_meshes[args->primID], query.ray(),
+       [&](const TriangleMet& met) {
+         found = query.offer(met) || found;
+         return true;
+       });
+  if (found) {
+    found_first(args, query);
+  }
+}
 
-void mask_filter(const RTCFilterFunctionNArguments* args) {
-  if (Filtered(args).masked()) {
+void small_mesh_occluded(const RTCOccludedFunctionNArguments* args) {
+  AccelQuery& query = query_of(args->context);
+  if (*args->valid == 0) {
+    return;
+  }
+  pass(index_of(args->geometryUserPtr).small_meshes[args->primID], query.ray(),
+       [&](const TriangleMet& met) { return query.shade(met, *query.light, 0.0); });
+  if (query.light->stopped()) {
+    stop(args);
+  }
+}
+
+// What Embree has found when it calls a filter.
+FloatMet filtered(const RTCFilterFunctionNArguments* args, const AccelQuery& query) {
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const glm::vec3 normal(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+  const glm::vec3 direction(query.ray().direction);
+  return {.instance = &index_of(args->geometryUserPtr).scene.meshes[hit.geomID],
+          .triangle = hit.primID,
+          .t = query.embree_start +
+               static_cast<double>(reinterpret_cast<const RTCRay*>(args->ray)->tfar),
+          .rise = static_cast<double>(std::abs(glm::dot(normal, direction)) / glm::length(normal))};
+}
+
+void first_filter(const RTCFilterFunctionNArguments* args) {
+  AccelQuery& query = query_of(args->context);
+  if (query.offer(filtered(args, query))) {
+    reinterpret_cast<RTCRay*>(args->ray)->tfar = query.reach();
+  } else {
     *args->valid = 0;
   }
 }
 
 void light_filter(const RTCFilterFunctionNArguments* args) {
-  const Filtered met(args);
   AccelQuery& query = query_of(args->context);
-  const float t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
-  const auto near = static_cast<float>(met.index.padding / glm::length(query.ray.direction));
-  if (!met.masked() && query.light->first_of_passage(met.hit.geomID, t, near)) {
-    query.light->through(transmission(met.index.scene, met.material, met.point, met.base),
-                         met.material.absorption, faces(met.instance, met.hit.primID, query.ray),
-                         query.start + static_cast<double>(t));
-  }
-  if (!query.light->stopped()) {
+  const double near = index_of(args->geometryUserPtr).padding / glm::length(query.ray().direction);
+  if (query.shade(filtered(args, query), *query.light, near)) {
     *args->valid = 0;
   }
 }
 
 }  // namespace
-
-bool AccelQuery::try_closest(const SolidObject& object) {
-  const std::optional<Boundary> met = object.solid.first(ray, 0.0, t_end, scratch);
-  if (!met) {
-    return false;
-  }
-  solid = &object;
-  boundary = *met;
-  t_end = met->t;
-  return true;
-}
 
 TriangleCorners corners(const MeshInstance& instance, std::uint32_t triangle) {
   const TriangleMesh& mesh = instance.mesh->triangles;
@@ -124,18 +160,20 @@ TriangleCorners corners(const MeshInstance& instance, std::uint32_t triangle) {
   return {.a = mesh.positions[i.x], .b = mesh.positions[i.y], .c = mesh.positions[i.z]};
 }
 
-Accel::Index::Index(const Scene& scene_in) : scene(scene_in) {
+Accel::Index::Index(const Scene& scene_in) : scene(scene_in), layers(scene_in) {
   if (!device) {
     throw std::runtime_error("Embree cannot start on this machine");
   }
-  place();
+  place_frame();
   embree.reset(rtcNewScene(device.get()));
   rtcSetSceneFlags(embree.get(), RTC_SCENE_FLAG_ROBUST);
-  for (const MeshInstance& instance : scene.meshes) {
-    add_mesh(instance);
-  }
+  add_meshes();
   if (!bounded.empty()) {
-    add_solids();
+    add_user_geometry(bounded.size(), solid_bounds, solid_intersect, solid_occluded);
+  }
+  if (!small_meshes.empty()) {
+    add_user_geometry(small_meshes.size(), small_mesh_bounds, small_mesh_intersect,
+                      small_mesh_occluded);
   }
   rtcCommitScene(embree.get());
   if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE) {
@@ -147,7 +185,7 @@ Accel::Index::Index(const Scene& scene_in) : scene(scene_in) {
 }
 
 // Embree works in float around the middle of the scene, where floats are finest.
-void Accel::Index::place() {
+void Accel::Index::place_frame() {
   for (const SolidObject& object : scene.solids) {
     const Bounds& solid = object.solid.bounds();
     if (solid.empty()) {
@@ -159,11 +197,14 @@ void Accel::Index::place() {
     }
   }
   for (const MeshInstance& instance : scene.meshes) {
-    box.include(instance.transform.bounds(raycat::bounds(instance.mesh->triangles)));
+    mesh_bounds.push_back(instance.transform.bounds(raycat::bounds(instance.mesh->triangles)));
+    box.include(mesh_bounds.back());
   }
   if (!box.empty()) {
     centre = box.center();
     padding = 8 * float_ulp * greatest(box.half_size());
+    farthest = std::max(greatest(box.min), greatest(box.max));
+    near2 = std::pow(near_paddings * padding, 2.0);
     box.min -= padding;
     box.max += padding;
   }
@@ -173,7 +214,28 @@ void Accel::Index::place() {
   }
 }
 
-void Accel::Index::add_mesh(const MeshInstance& instance) {
+void Accel::Index::add_meshes() {
+  needs_double.resize(scene.meshes.size());
+  std::map<const SurfaceMesh*, std::shared_ptr<const TriangleIndex>> shared;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const MeshInstance& instance = scene.meshes[i];
+    const Bounds& around = mesh_bounds[i];
+    const double error = float_ulp * std::max(greatest(around.min - centre),  //
+                                              greatest(around.max - centre));
+    if (2.0 * greatest(around.half_size()) >= fewest_steps * error) {
+      needs_double[i] = material_of(scene, instance.material).alpha_cutoff > 0.0f ? 1 : 0;
+      add_mesh(i, instance);
+      continue;
+    }
+    std::shared_ptr<const TriangleIndex>& triangles = shared[instance.mesh.get()];
+    if (!triangles) {
+      triangles = std::make_shared<const TriangleIndex>(instance.mesh->triangles);
+    }
+    small_meshes.push_back({.instance = &instance, .triangles = triangles});
+  }
+}
+
+void Accel::Index::add_mesh(std::size_t number, const MeshInstance& instance) {
   const TriangleMesh& mesh = instance.mesh->triangles;
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -189,40 +251,38 @@ void Accel::Index::add_mesh(const MeshInstance& instance) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.triangles.data(), 0, sizeof(glm::uvec3), mesh.triangles.size());
   rtcSetGeometryUserData(geometry, this);
-  const Material& material = material_of(scene, instance.material);
-  if (material.alpha_cutoff > 0.0f) {
-    rtcSetGeometryIntersectFilterFunction(geometry, mask_filter);
-  }
-  if (material.alpha_cutoff > 0.0f || material.blend || material.transmission != glm::vec3(0.0f)) {
-    rtcSetGeometryOccludedFilterFunction(geometry, light_filter);
-  }
+  rtcSetGeometryIntersectFilterFunction(geometry, first_filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, light_filter);
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(embree.get(), geometry);
+  rtcAttachGeometryByID(embree.get(), geometry, static_cast<unsigned>(number));
   rtcReleaseGeometry(geometry);
 }
 
-void Accel::Index::add_solids() {
+void Accel::Index::add_user_geometry(std::size_t count, RTCBoundsFunction bounds,
+                                     RTCIntersectFunctionN intersect,
+                                     RTCOccludedFunctionN occluded) {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(bounded.size()));
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
   rtcSetGeometryUserData(geometry, this);
-  rtcSetGeometryBoundsFunction(geometry, solid_bounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, solid_intersect);
-  rtcSetGeometryOccludedFunction(geometry, solid_occluded);
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect);
+  rtcSetGeometryOccludedFunction(geometry, occluded);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(embree.get(), geometry);
   rtcReleaseGeometry(geometry);
 }
 
-bool Accel::Index::start(const Ray& ray, AccelQuery& query, RTCRay& out) const {
-  const Interval inside = LineClip(ray)(box, {.begin = 0.0, .end = query.t_end});
+bool Accel::Index::start(AccelQuery& query, RTCRay& out) const {
+  const Ray& ray = query.ray();
+  // From a little before, so that what is wrong in float hides nothing that the ray starts at.
+  const double before = query.begin - 4.0 * padding / greatest(ray.direction);
+  const Interval inside = LineClip(ray)(box, {.begin = before, .end = query.t_end()});
   if (inside.empty()) {
     return false;
   }
-  const double near = inside.begin;
-  query.start = near;
-  const glm::vec3 origin(ray.at(near) - centre);
+  query.embree_start = inside.begin;
+  const glm::vec3 origin(ray.at(inside.begin) - centre);
   const glm::vec3 direction(ray.direction);
-  const auto tfar = static_cast<float>(query.t_end - near);
   out = {.org_x = origin.x,
          .org_y = origin.y,
          .org_z = origin.z,
@@ -231,11 +291,20 @@ bool Accel::Index::start(const Ray& ray, AccelQuery& query, RTCRay& out) const {
          .dir_y = direction.y,
          .dir_z = direction.z,
          .time = 0.0f,
-         .tfar = std::nextafter(tfar, infinity),
+         .tfar = query.reach(),
          .mask = ~0u,
          .id = 0,
          .flags = 0};
   return true;
+}
+
+double Accel::Index::on_surface(const glm::dvec3& origin) const {
+  return 0x1p8 * double_ulp * std::max(greatest(origin), farthest);
+}
+
+double Accel::Index::leave_distance(const glm::dvec3& origin, const glm::dvec3& point) const {
+  return std::max(0x1p20 * double_ulp * std::max(greatest(point), greatest(origin)),
+                  0x1p10 * double_ulp * farthest);
 }
 
 }  // namespace raycat

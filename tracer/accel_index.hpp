@@ -8,36 +8,19 @@
 #include <glm/common.hpp>
 #include <glm/gtx/component_wise.hpp>
 
+#include "geometry/triangle_index.hpp"
 #include "tracer/accel.hpp"
-#include "tracer/light_passage.hpp"
+#include "tracer/surface_layers.hpp"
 
 namespace raycat {
+
+class AccelQuery;
 
 /// The error of a coordinate in Embree's single precision, relative to it.
 inline constexpr double float_ulp = 0x1p-23;
 
 /// The coordinate that is greatest, whatever its sign.
 inline double greatest(const glm::dvec3& v) { return glm::compMax(glm::abs(v)); }
-
-/// One ray under way through Embree. The context comes first, so that callbacks find the rest.
-struct AccelQuery {
-  AccelQuery(const Ray& of, double end, Solid::Scratch& buffers)
-      : ray(of), t_end(end), scratch(buffers) {}
-
-  /// Keeps the solid's first boundary if it is closer than `t_end`, and tells whether it is.
-  bool try_closest(const SolidObject& object);
-
-  RTCIntersectContext context;
-  const Ray& ray;
-  double start = 0.0;  ///< where Embree's t = 0 is on the ray
-  double t_end;
-  Solid::Scratch& scratch;
-
-  const SolidObject* solid = nullptr;  ///< the closest so far, and where it is met
-  Boundary boundary;
-
-  LightPassage* light = nullptr;  ///< of a shadow ray
-};
 
 /// The corners of a triangle in its mesh's own frame.
 struct TriangleCorners {
@@ -46,20 +29,36 @@ struct TriangleCorners {
 
 TriangleCorners corners(const MeshInstance& instance, std::uint32_t triangle);
 
-/// Embree's scene: triangles in float around the middle of the scene, and solids that are
-/// evaluated in double when a ray comes near.
+/// Embree's scene: triangles in float around the middle of the scene, met again in double, and
+/// solids, and meshes too small for float where they are, evaluated in double when a ray comes
+/// near.
 struct Accel::Index {
   /// Throws `std::length_error` for a scene past Embree's range, and `std::runtime_error` if
   /// Embree fails.
   explicit Index(const Scene& scene_in);
 
-  /// Makes Embree's ray, from where `ray` enters the scene's box. False if it does not, or not
-  /// before `query.t_end`.
-  bool start(const Ray& ray, AccelQuery& query, RTCRay& out) const;
+  /// Makes Embree's ray, from where the query's enters the scene's box. False if it does not, or
+  /// not before the query's end.
+  bool start(AccelQuery& query, RTCRay& out) const;
+
+  /// How near a surface is that a ray from `origin` starts on.
+  double on_surface(const glm::dvec3& origin) const;
+
+  /// How far from a hit at `point` rays start that leave it, seen from `origin`.
+  double leave_distance(const glm::dvec3& origin, const glm::dvec3& point) const;
+
+  /// How near to each other surfaces that lie in one are.
+  double place() const noexcept { return 4.0 * layers.tolerance(); }
 
   struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+
+  // A mesh that Embree does not see the triangles of.
+  struct SmallMesh {
+    const MeshInstance* instance;
+    std::shared_ptr<const TriangleIndex> triangles;
   };
 
   const Scene& scene;
@@ -68,13 +67,21 @@ struct Accel::Index {
   glm::dvec3 centre{0.0};  ///< of Embree's frame in the world
   Bounds box;              ///< around all that Embree holds, with room for rounding
   double padding = 0.0;    ///< what rounding a ray to float may move it within the box
+  double farthest = 0.0;   ///< greatest coordinate within the box
+  double near2 = 0.0;      ///< nearer to its start than the root of it, a ray takes care
+  std::vector<std::uint8_t> needs_double;  ///< of which meshes every hit is found in double at once
   std::vector<const SolidObject*> bounded;
   std::vector<const SolidObject*> unbounded;
+  std::vector<Bounds> mesh_bounds;  ///< in the world
+  std::vector<SmallMesh> small_meshes;
+  SurfaceLayers layers;
 
  private:
-  void place();
-  void add_mesh(const MeshInstance& instance);
-  void add_solids();
+  void place_frame();
+  void add_meshes();
+  void add_mesh(std::size_t number, const MeshInstance& instance);
+  void add_user_geometry(std::size_t count, RTCBoundsFunction bounds,
+                         RTCIntersectFunctionN intersect, RTCOccludedFunctionN occluded);
 };
 
 }  // namespace raycat

@@ -7,25 +7,6 @@
 
 namespace raycat {
 
-const Material& material_of(const Scene& scene, MaterialId id) {
-  return scene.materials[static_cast<std::size_t>(id)];
-}
-
-bool LightPassage::through(const SolidObject& object, const Scene& scene, Solid::Scratch& scratch) {
-  const Solid& solid = object.solid;
-  for (auto met = solid.first(ray_, 0.0, t_end_, scratch); met; met = solid.next(scratch)) {
-    const Material& material = material_of(scene, object.materials[met->leaf]);
-    light_ *= material.transmission;
-    if (material.absorption != glm::vec3(0.0f)) {
-      cross(material.absorption, met->entering, met->t);
-    }
-    if (stopped()) {
-      return false;
-    }
-  }
-  return true;
-}
-
 void LightPassage::through(const glm::vec3& transmission, const glm::vec3& absorption,
                            bool entering, double t) {
   light_ *= transmission;
@@ -34,28 +15,29 @@ void LightPassage::through(const glm::vec3& transmission, const glm::vec3& absor
   }
 }
 
-bool LightPassage::first_of_passage(unsigned mesh, float t, float near) {
+bool LightPassage::first_of_passage(std::size_t mesh, bool entering, double t, double near) {
+  const std::size_t side = 2 * mesh + (entering ? 1 : 0);
   for (std::size_t i = 0; i < count_; ++i) {
-    if (first_[i].first == mesh && std::abs(first_[i].second - t) <= near) {
+    if (first_[i].first == side && std::abs(first_[i].second - t) <= near) {
       return false;
     }
   }
   if (count_ < first_.size()) {
-    first_[count_++] = {mesh, t};
+    first_[count_++] = {side, t};
     return true;
   }
   if (!others_) {
     others_ = std::make_unique<std::set<Passage>>();
   }
-  const auto after = others_->lower_bound({mesh, t});
+  const auto after = others_->lower_bound({side, t});
   const auto is_near = [&](const Passage& other) {
-    return other.first == mesh && std::abs(other.second - t) <= near;
+    return other.first == side && std::abs(other.second - t) <= near;
   };
   if ((after != others_->end() && is_near(*after)) ||
       (after != others_->begin() && is_near(*std::prev(after)))) {
     return false;
   }
-  others_->emplace_hint(after, mesh, t);
+  others_->emplace_hint(after, side, t);
   return true;
 }
 

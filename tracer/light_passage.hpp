@@ -13,22 +13,19 @@
 
 namespace raycat {
 
-const Material& material_of(const Scene& scene, MaterialId id);
-
 /// What is left of light on its way along a ray to `t_end`, told of what it meets in any order.
 class LightPassage {
  public:
   LightPassage(const Ray& ray, double t_end) : ray_(ray), t_end_(t_end) {}
 
-  /// Weakens the light by the boundaries of a solid; false if none of it is left.
-  bool through(const SolidObject& object, const Scene& scene, Solid::Scratch& scratch);
+  double t_end() const noexcept { return t_end_; }
 
-  /// Weakens the light by a surface with this transmission, of a mesh that absorbs inside.
+  /// Weakens the light by a surface with this transmission, of an object that absorbs inside.
   void through(const glm::vec3& transmission, const glm::vec3& absorption, bool entering, double t);
 
-  /// Is this the first triangle reported of one passage through a mesh? At an edge both are.
-  /// Passages closer than `near` are one.
-  bool first_of_passage(unsigned mesh, float t, float near);
+  /// Is this the first triangle reported of one passage into a mesh or out of it? At an edge both
+  /// are. Passages closer than `near` are one.
+  bool first_of_passage(std::size_t mesh, bool entering, double t, double near);
 
   bool stopped() const noexcept { return light_ == glm::vec3(0.0f); }
 
@@ -36,7 +33,7 @@ class LightPassage {
   glm::vec3 left() const;
 
  private:
-  using Passage = std::pair<unsigned, float>;  // mesh and t
+  using Passage = std::pair<std::size_t, double>;  // mesh and whether it is entered, and t
 
   void cross(const glm::vec3& absorption, bool entering, double t) {
     const glm::dvec3 more = entering ? glm::dvec3(absorption) : -glm::dvec3(absorption);

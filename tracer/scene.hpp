@@ -44,6 +44,10 @@ struct Scene {
   glm::vec3 ambient_light{0.2f};  ///< S_a
 };
 
+inline const Material& material_of(const Scene& scene, MaterialId id) {
+  return scene.materials[static_cast<std::size_t>(id)];
+}
+
 /// Around everything that is bounded; empty for a scene without bounded objects.
 Bounds bounds(const Scene& scene);
 

@@ -84,7 +84,7 @@ class Shader {
   Shader(const Accel& accel, const Ray& ray, const Hit& hit, TraceScratch& scratch)
       : accel_(accel),
         scene_(accel.scene()),
-        material_(scene_.materials[static_cast<std::size_t>(hit.material)]),
+        material_(material_of(scene_, hit.material)),
         ray_(ray),
         hit_(hit),
         way_(glm::normalize(ray.direction)),
@@ -198,7 +198,7 @@ class Shader {
                                                   light.kind == Light::Kind::directional
                                                       ? at.distance
                                                       : glm::distance(light.position, lifted_),
-                                                  scratch_.solid);
+                                                  scratch_.solid, accel_.departure(hit_, at.way));
     if (passed == black) {
       return false;
     }
@@ -220,31 +220,65 @@ class Shader {
     out.refraction_weight = material_.blend && untextured() ? glm::compMax(out.k_t)
                                                             : glm::compMax(material_.transmission);
     const glm::dvec3 far = accel_.leave(ray_, hit_, -facet_);
-    if (material_.thin) {
-      out.refraction = Ray{.origin = far, .direction = way_};
+    if (material_.thin || hit_.sheet) {
+      out.refraction = child(far, way_);
       out.media = media;
       return true;
     }
-    const ObjectId object = scene_.surfaces.object(hit_.surface);
-    out.media = hit_.entering ? media.entered(object, material_.ior, material_.absorption)
-                              : media.left(object);
-    // A ray that leaves an object it started in has been in its material all the way.
-    const double from = hit_.entering ? media.ior() : material_.ior;
-    const double to = hit_.entering ? material_.ior : out.media.ior();
-    const double eta = from / to;
+    out.media = passed(media, hit_);
+    const float from = before(media);
+    const float to = beyond(out.media);
+    const double eta = static_cast<double>(from) / static_cast<double>(to);
     const double under = 1.0 - eta * eta * (1.0 - cosine * cosine);
     if (under < 0.0) {
       out.k_t = black;
       return false;
     }
-    const double beyond = std::sqrt(under);
-    glm::dvec3 direction = glm::normalize(eta * way_ + (eta * cosine - beyond) * normal_);
+    if (hit_.layer.shared()) {
+      out.media.aim(to);
+    }
+    const double beyond_cosine = std::sqrt(under);
+    glm::dvec3 direction = glm::normalize(eta * way_ + (eta * cosine - beyond_cosine) * normal_);
     if (glm::dot(direction, facet_) >= 0.0) {
       direction = way_;  // an interpolated normal that bends the ray back out of the surface
     }
-    out.refraction = Ray{.origin = far, .direction = direction};
-    cosine = eta > 1.0 ? beyond : cosine;
+    out.refraction = child(far, direction);
+    cosine = eta > 1.0 ? beyond_cosine : cosine;
     return true;
+  }
+
+  // The media of a ray when it has passed a surface.
+  Media passed(const Media& media, const Hit& hit) const {
+    const ObjectId object = scene_.surfaces.object(hit.surface);
+    const Material& material = material_of(scene_, hit.material);
+    return hit.entering ? media.entered(object, material.ior, material.absorption)
+                        : media.left(object);
+  }
+
+  // The index of refraction that the ray's direction is of. A ray that leaves an object it started
+  // in has been in its material all the way; one that leaves an object of which it is no longer in
+  // the material changes nothing.
+  float before(const Media& media) const {
+    const ObjectId object = scene_.surfaces.object(hit_.surface);
+    const bool own = !hit_.entering && !media.aimed() && !media.within_another_than(object);
+    return own ? material_.ior : media.ior();
+  }
+
+  // The index of refraction past all surfaces that coincide with this one, up to an opaque one: a
+  // ray goes straight from the one medium into the other, of `after` passing this one alone.
+  float beyond(Media after) const {
+    Hit at = hit_;
+    while (const std::optional<Hit> next = accel_.next_at(ray_, at, scratch_.solid)) {
+      const Material& material = material_of(scene_, next->material);
+      if (!material.blend && material.transmission == black) {
+        break;
+      }
+      if (!material.thin && !next->sheet) {
+        after = passed(after, *next);
+      }
+      at = *next;
+    }
+    return after.ior();
   }
 
   void reflect(Shading& out) {
@@ -252,7 +286,11 @@ class Shader {
     if (glm::dot(direction, facet_) <= 0.0) {
       direction = glm::reflect(way_, facet_);
     }
-    out.reflection = Ray{.origin = near_, .direction = glm::normalize(direction)};
+    out.reflection = child(near_, glm::normalize(direction));
+  }
+
+  ChildRay child(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    return {{.origin = origin, .direction = direction}, accel_.departure(hit_, direction)};
   }
 
   bool untextured() const {

@@ -35,13 +35,18 @@ struct TraceScratch {
   RayCounts rays;
 };
 
+/// A ray that leaves a hit.
+struct ChildRay : Ray {
+  Departure from;
+};
+
 /// Eq. (1) at one hit, but for the light that child rays bring.
 struct Shading {
   glm::vec3 colour{0.0f};  ///< O_e + O_a S_a + the sum over visible lights
   LightMask lights = 0;    ///< those that are visible
 
-  std::optional<Ray> refraction;  ///< the child rays, where the material has them
-  std::optional<Ray> reflection;
+  std::optional<ChildRay> refraction;  ///< where the material has one
+  std::optional<ChildRay> reflection;
   glm::vec3 k_t{0.0f};             ///< what I_t is multiplied with here
   glm::vec3 k_s{0.0f};             ///< what I_r is multiplied with here
   float refraction_weight = 0.0f;  ///< greatest channel of the material's factor
@@ -76,8 +81,8 @@ class Branch {
   Branch(const Accel& accel, int levels, R& recorder, TraceScratch& scratch)
       : accel_(accel), levels_(levels), recorder_(recorder), scratch_(scratch) {}
 
-  glm::vec3 trace(const Ray& ray, const Media& media, HeapPosition position, float weight) {
-    const std::optional<Hit> hit = accel_.closest(ray, scratch_.solid);
+  glm::vec3 trace(const ChildRay& ray, const Media& media, HeapPosition position, float weight) {
+    const std::optional<Hit> hit = accel_.closest(ray, scratch_.solid, ray.from);
     if (!hit) {
       return accel_.scene().background;
     }
@@ -120,7 +125,7 @@ template <Recorder R>
 glm::vec3 trace(const Accel& accel, const Ray& ray, int levels, R& recorder,
                 TraceScratch& scratch) {
   ++scratch.rays.camera;
-  return detail::Branch<R>(accel, levels, recorder, scratch).trace(ray, Media(), root, 1.0f);
+  return detail::Branch<R>(accel, levels, recorder, scratch).trace({ray, {}}, Media(), root, 1.0f);
 }
 
 }  // namespace raycat
