@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/coincident_twins.hpp"
+#include "geometry/crease.hpp"
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
 #include "geometry/raw_array.hpp"
@@ -28,15 +29,15 @@ class FaceGrouping {
  public:
   FaceGrouping(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
                std::span<const glm::vec3> normals, const FaceRule& rule, int threads)
-      : triangles_(triangles),
+      : positions_(positions),
+        triangles_(triangles),
         authored_normals_(normals),
         threads_(threads),
         welded_(weld(positions, threads)),
         vertices_(welded(triangles, welded_, threads)),
         normals_(unit_normals(positions)),
-        same_normal_(std::cos(rule.same_normal)),
-        // The chord, unlike the cosine, tells small angles apart.
-        crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
+        same_normal_(std::cos(rule.same_normal + crease_slack)),
+        crease_(rule.crease),
         edges_(vertices_, positions.size(), threads),
         sets_(triangles.size()) {}
 
@@ -239,8 +240,8 @@ class FaceGrouping {
       return false;
     }
     const glm::dvec3 turned = opposite ? normals_[b / 3] : -normals_[b / 3];
-    const glm::dvec3 chord = normals_[a / 3] - turned;
-    if (glm::dot(chord, chord) < crease_chord_ * crease_chord_) {
+    const auto tilts = [&] { return tilt(a / 3) + tilt(b / 3); };
+    if (crease_.joins(normals_[a / 3], turned, tilts)) {
       return true;
     }
     if (authored_normals_.empty()) {
@@ -250,6 +251,11 @@ class FaceGrouping {
     const std::uint32_t b_end = next_corner(b);
     return opposite ? same_normals(a, b_end) && same_normals(a_end, b)
                     : same_normals(a, b) && same_normals(a_end, b_end);
+  }
+
+  double tilt(std::uint32_t triangle) const {
+    const glm::uvec3& t = triangles_[triangle];
+    return rounding_tilt({positions_[t.x], positions_[t.y], positions_[t.z]});
   }
 
   static std::uint32_t next_corner(std::uint32_t corner) {
@@ -300,6 +306,7 @@ class FaceGrouping {
     return triangle_at;
   }
 
+  std::span<const glm::dvec3> positions_;
   std::span<const glm::uvec3> triangles_;
   std::span<const glm::vec3> authored_normals_;  // of `triangles_`' vertices, not of welded ones
   int threads_;
@@ -308,7 +315,7 @@ class FaceGrouping {
   std::atomic<bool> some_degenerate_ = false;  // before `normals_`, which tell
   RawArray<glm::dvec3> normals_;               // zero for degenerate ones
   double same_normal_;
-  double crease_chord_;
+  Crease crease_;
   EdgeUses edges_;
   DisjointSets sets_;
   std::mutex adding_;

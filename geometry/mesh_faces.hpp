@@ -27,12 +27,13 @@ struct MeshFaces {
 /// Joins triangles into faces. Two
 /// triangles that share an edge, once equal positions are welded, are of one face when the
 /// authored normals agree at both ends of the edge within `rule.same_normal`, or the angle
-/// between their planes is under `rule.crease`. An edge of three or more triangles joins those
-/// pairs that run along it in opposite directions; two triangles that run along it the same way
-/// are compared with one of them turned over, and an edge of more than 64 joins none. Triangles on
-/// the same three points are of one face and count once, whichever way round. Degenerate
-/// triangles belong to the face of a neighbour, and join nothing. `normals` holds one a position,
-/// or nothing. Indices must be in range. The faces are the same whatever `threads`.
+/// between their planes is under `rule.crease` (`Crease` says what is with one that equals it). An
+/// edge of three or more triangles joins those pairs that run along it in opposite directions; two
+/// triangles that run along it the same way are compared with one of them turned over, and an edge
+/// of more than 64 joins none. Triangles on the same three points are of one face and count once,
+/// whichever way round. Degenerate triangles belong to the face of a neighbour, and join nothing.
+/// `normals` holds one a position, or nothing. Indices must be in range. The faces are the same
+/// whatever `threads`.
 MeshFaces group_faces(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
                       std::span<const glm::vec3> normals, const FaceRule& rule = {},
                       int threads = 1);

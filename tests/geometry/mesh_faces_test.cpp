@@ -57,26 +57,6 @@ std::vector<glm::vec3> flat_normals(const TriangleMesh& mesh) {
   return normals;
 }
 
-// A prism: caps at z = 0 and 1.
-TriangleMesh cylinder(std::uint32_t sides) {
-  std::vector<glm::dvec3> points;
-  Faces bottom(sides);
-  Faces top(sides);
-  std::vector<Faces> faces;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const double u = 2.0 * std::numbers::pi * i / sides;
-    points.emplace_back(std::cos(u), std::sin(u), 0.0);
-    points.emplace_back(std::cos(u), std::sin(u), 1.0);
-    const std::uint32_t j = (i + 1) % sides;
-    faces.push_back({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
-    top[i] = 2 * i + 1;
-    bottom[sides - 1 - i] = 2 * i;
-  }
-  faces.push_back(bottom);
-  faces.push_back(top);
-  return triangulate(std::move(points), faces);
-}
-
 double area(const std::vector<glm::dvec3>& points, const Faces& polygon) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -173,12 +153,12 @@ TEST_CASE("a cube with smooth normals is one face", "[geometry][mesh_faces]") {
 }
 
 TEST_CASE("a flat-shaded cylinder of 32 sides has three faces", "[geometry][mesh_faces]") {
-  const TriangleMesh mesh = split(cylinder(32));
+  const TriangleMesh mesh = split(test::prism(32));
   CHECK(count(faces_of(mesh.positions, mesh.triangles, flat_normals(mesh))) == 3);
 }
 
 TEST_CASE("the crease is the angle at which faces part", "[geometry][mesh_faces]") {
-  const TriangleMesh mesh = cylinder(12);  // 30 degrees from side to side
+  const TriangleMesh mesh = test::prism(12);  // 30 degrees from side to side
   const double degree = std::numbers::pi / 180.0;
   CHECK(count(faces_of(mesh.positions, mesh.triangles, {}, {.crease = 30.01 * degree})) == 3);
   CHECK(count(faces_of(mesh.positions, mesh.triangles, {}, {.crease = 29.99 * degree})) == 14);
