@@ -17,6 +17,8 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
+  std::size_t size() const noexcept { return parent_.size(); }
+
   /// The lowest number of the set of `i`, once no thread is joining any more.
   std::uint32_t first(std::uint32_t i) noexcept {
     for (;;) {

@@ -20,6 +20,11 @@ inline std::uint32_t half_edge_end(std::span<const glm::uvec3> triangles, std::u
   return triangles[half / 3][static_cast<int>((half + 1) % 3)];
 }
 
+/// The vertex of the triangle that is not on the half-edge.
+inline std::uint32_t half_edge_apex(std::span<const glm::uvec3> triangles, std::uint32_t half) {
+  return triangles[half / 3][static_cast<int>((half + 2) % 3)];
+}
+
 /// The half-edges of triangles, brought together where they join the same two vertices.
 /// Half-edge 3 i + k runs from corner k of triangle i to that triangle's next corner; one from a
 /// vertex to itself is no edge's.

@@ -5,11 +5,14 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "geometry/coincident_twins.hpp"
+#include "geometry/crease.hpp"
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/edge_uses.hpp"
 #include "geometry/raw_array.hpp"
@@ -26,15 +29,15 @@ class FaceGrouping {
  public:
   FaceGrouping(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
                std::span<const glm::vec3> normals, const FaceRule& rule, int threads)
-      : triangles_(triangles),
+      : positions_(positions),
+        triangles_(triangles),
         authored_normals_(normals),
         threads_(threads),
         welded_(weld(positions, threads)),
         vertices_(welded(triangles, welded_, threads)),
         normals_(unit_normals(positions)),
-        same_normal_(std::cos(rule.same_normal)),
-        // The chord, unlike the cosine, tells small angles apart.
-        crease_chord_(2.0 * std::sin(0.5 * rule.crease)),
+        same_normal_(std::cos(rule.same_normal + crease_slack)),
+        crease_(rule.crease),
         edges_(vertices_, positions.size(), threads),
         sets_(triangles.size()) {}
 
@@ -44,7 +47,12 @@ class FaceGrouping {
 
   void join_smooth_edges() {
     parallel_parts(edges_.vertices(), threads_, [&](std::size_t begin, std::size_t end, int) {
-      edges_.for_each(begin, end, [&](std::span<const std::uint32_t> uses) { join_smooth(uses); });
+      std::vector<TriangleCopy> copies;
+      edges_.for_each(begin, end, [&](std::span<const std::uint32_t> uses) {
+        add_copies(vertices_, uses, copies);
+        join_smooth(uses);
+      });
+      join_copies(copies);
     });
   }
 
@@ -55,7 +63,9 @@ class FaceGrouping {
       kept_apart.push_back(edge_key(welded_[border.x], welded_[border.y]));
     }
     std::ranges::sort(kept_apart);
+    std::vector<TriangleCopy> copies;
     edges_.for_each([&](std::span<const std::uint32_t> uses) {
+      add_copies(vertices_, uses, copies);
       const std::uint64_t key =
           edge_key(start(uses.front()), half_edge_end(vertices_, uses.front()));
       if (!std::ranges::binary_search(kept_apart, key)) {
@@ -64,6 +74,7 @@ class FaceGrouping {
         }
       }
     });
+    join_copies(copies);
   }
 
   /// Spreads faces over degenerate triangles, from edge to edge and then through vertices, for
@@ -109,16 +120,9 @@ class FaceGrouping {
   /// The lowest-numbered triangle of the same face.
   std::uint32_t first_of_face(std::uint32_t triangle) noexcept { return sets_.first(triangle); }
 
- private:
-  static RawArray<glm::uvec3> welded(std::span<const glm::uvec3> triangles,
-                                     std::span<const std::uint32_t> first, int threads) {
-    RawArray<glm::uvec3> out(triangles.size());
-    parallel_each(out.size(), threads, [&](std::size_t i) {
-      out[i] = {first[triangles[i].x], first[triangles[i].y], first[triangles[i].z]};
-    });
-    return out;
-  }
+  std::vector<std::uint32_t> twins() const { return twins_of(copies_, triangles_.size()); }
 
+ private:
   RawArray<glm::dvec3> unit_normals(std::span<const glm::dvec3> positions) {
     RawArray<glm::dvec3> out(triangles_.size());
     parallel_parts(out.size(), threads_, [&](std::size_t begin, std::size_t end, int) {
@@ -151,17 +155,75 @@ class FaceGrouping {
     return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
   }
 
+  void join_copies(std::span<const TriangleCopy> copies) {
+    for (const TriangleCopy& copy : copies) {
+      sets_.join(copy.triangle, copy.kept);
+    }
+    const std::lock_guard lock(adding_);
+    copies_.insert(copies_.end(), copies.begin(), copies.end());
+  }
+
   void join_smooth(std::span<const std::uint32_t> uses) {
-    // So many triangles around one edge are no surface, and all their pairs too many to try.
+    if (uses.size() == 2 && apex(uses[0]) != apex(uses[1])) {
+      const bool opposite = start(uses[0]) != start(uses[1]);
+      if (smooth(uses[0], uses[1], opposite)) {
+        sets_.join(uses[0] / 3, uses[1] / 3);
+      }
+    } else if (uses.size() > 1) {
+      join_smooth_surfaces(surfaces_at(uses));
+    }
+  }
+
+  // A surface at an edge: the half-edge of a triangle that runs along it upwards, from the lower
+  // vertex, and that of one downwards. Both, if it is stored both ways round.
+  struct EdgeSurface {
+    std::uint32_t apex = none;
+    std::uint32_t upwards = none;
+    std::uint32_t downwards = none;
+  };
+
+  // Triangles with one apex are one surface.
+  std::vector<EdgeSurface> surfaces_at(std::span<const std::uint32_t> uses) const {
+    const std::uint32_t low = std::min(start(uses.front()), half_edge_end(vertices_, uses.front()));
+    std::vector<EdgeSurface> surfaces;
+    for (const std::uint32_t use : uses) {
+      const bool is_upwards = start(use) == low;
+      surfaces.push_back({.apex = apex(use),
+                          .upwards = is_upwards ? use : none,
+                          .downwards = is_upwards ? none : use});
+    }
+    std::ranges::stable_sort(surfaces, {}, &EdgeSurface::apex);
+    std::size_t kept = 0;
+    for (std::size_t i = 1; i < surfaces.size(); ++i) {
+      if (surfaces[i].apex != surfaces[kept].apex) {
+        surfaces[++kept] = surfaces[i];
+      } else {
+        surfaces[kept].upwards = std::min(surfaces[kept].upwards, surfaces[i].upwards);
+        surfaces[kept].downwards = std::min(surfaces[kept].downwards, surfaces[i].downwards);
+      }
+    }
+    surfaces.resize(kept + 1);
+    return surfaces;
+  }
+
+  void join_smooth_surfaces(std::span<const EdgeSurface> surfaces) {
+    // So many surfaces around one edge are none, and all their pairs too many to try.
     constexpr std::size_t most_around_edge = 64;
-    if (uses.size() > most_around_edge) {
+    if (surfaces.size() > most_around_edge) {
       return;
     }
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      for (std::size_t j = i + 1; j < uses.size(); ++j) {
-        const bool opposite = start(uses[i]) != start(uses[j]);
-        if ((opposite || uses.size() == 2) && smooth(uses[i], uses[j], opposite)) {
-          sets_.join(uses[i] / 3, uses[j] / 3);
+    const auto join_if_smooth = [&](std::uint32_t a, std::uint32_t b, bool opposite) {
+      if (a != none && b != none && smooth(a, b, opposite)) {
+        sets_.join(a / 3, b / 3);
+      }
+    };
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      for (std::size_t j = i + 1; j < surfaces.size(); ++j) {
+        join_if_smooth(surfaces[i].upwards, surfaces[j].downwards, true);
+        join_if_smooth(surfaces[i].downwards, surfaces[j].upwards, true);
+        if (surfaces.size() == 2) {
+          join_if_smooth(surfaces[i].upwards, surfaces[j].upwards, false);
+          join_if_smooth(surfaces[i].downwards, surfaces[j].downwards, false);
         }
       }
     }
@@ -171,13 +233,15 @@ class FaceGrouping {
 
   std::uint32_t start(std::uint32_t half) const { return half_edge_start(vertices_, half); }
 
+  std::uint32_t apex(std::uint32_t half) const { return half_edge_apex(vertices_, half); }
+
   bool smooth(std::uint32_t a, std::uint32_t b, bool opposite) const {
     if (degenerate(a / 3) || degenerate(b / 3)) {
       return false;
     }
     const glm::dvec3 turned = opposite ? normals_[b / 3] : -normals_[b / 3];
-    const glm::dvec3 chord = normals_[a / 3] - turned;
-    if (glm::dot(chord, chord) < crease_chord_ * crease_chord_) {
+    const auto tilts = [&] { return tilt(a / 3) + tilt(b / 3); };
+    if (crease_.joins(normals_[a / 3], turned, tilts)) {
       return true;
     }
     if (authored_normals_.empty()) {
@@ -187,6 +251,11 @@ class FaceGrouping {
     const std::uint32_t b_end = next_corner(b);
     return opposite ? same_normals(a, b_end) && same_normals(a_end, b)
                     : same_normals(a, b) && same_normals(a_end, b_end);
+  }
+
+  double tilt(std::uint32_t triangle) const {
+    const glm::uvec3& t = triangles_[triangle];
+    return rounding_tilt({positions_[t.x], positions_[t.y], positions_[t.z]});
   }
 
   static std::uint32_t next_corner(std::uint32_t corner) {
@@ -237,6 +306,7 @@ class FaceGrouping {
     return triangle_at;
   }
 
+  std::span<const glm::dvec3> positions_;
   std::span<const glm::uvec3> triangles_;
   std::span<const glm::vec3> authored_normals_;  // of `triangles_`' vertices, not of welded ones
   int threads_;
@@ -245,9 +315,11 @@ class FaceGrouping {
   std::atomic<bool> some_degenerate_ = false;  // before `normals_`, which tell
   RawArray<glm::dvec3> normals_;               // zero for degenerate ones
   double same_normal_;
-  double crease_chord_;
+  Crease crease_;
   EdgeUses edges_;
   DisjointSets sets_;
+  std::mutex adding_;
+  std::vector<TriangleCopy> copies_;
 };
 
 std::vector<std::uint32_t> numbered(FaceGrouping& grouping, std::size_t triangles) {
@@ -262,25 +334,22 @@ std::vector<std::uint32_t> numbered(FaceGrouping& grouping, std::size_t triangle
 
 }  // namespace
 
-std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
-                                       std::span<const glm::uvec3> triangles,
-                                       std::span<const glm::vec3> normals, const FaceRule& rule,
-                                       int threads) {
+MeshFaces group_faces(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+                      std::span<const glm::vec3> normals, const FaceRule& rule, int threads) {
   assert(normals.empty() || normals.size() == positions.size());
   assert(rule.crease >= 0.0 && rule.crease <= std::numbers::pi);
   FaceGrouping grouping(positions, triangles, normals, rule, threads);
   grouping.join_smooth_edges();
   grouping.adopt_degenerate_triangles();
-
-  return numbered(grouping, triangles.size());
+  return {.faces = numbered(grouping, triangles.size()), .twins = grouping.twins()};
 }
 
-std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> positions,
-                                               std::span<const glm::uvec3> triangles,
-                                               std::span<const glm::uvec2> borders, int threads) {
+MeshFaces group_faces_between(std::span<const glm::dvec3> positions,
+                              std::span<const glm::uvec3> triangles,
+                              std::span<const glm::uvec2> borders, int threads) {
   FaceGrouping grouping(positions, triangles, {}, {}, threads);
   grouping.join_all_but(borders);
-  return numbered(grouping, triangles.size());
+  return {.faces = numbered(grouping, triangles.size()), .twins = grouping.twins()};
 }
 
 }  // namespace raycat

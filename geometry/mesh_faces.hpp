@@ -17,26 +17,33 @@ struct FaceRule {
   double same_normal = 0.08726646259971647;  ///< radians; authored normals within 5 degrees
 };
 
-/// The face of each triangle, numbered from 0 in the order of each face's first triangle. Two
+/// The faces of triangles.
+struct MeshFaces {
+  /// Of each triangle, numbered from 0 in the order of each face's first triangle.
+  std::vector<std::uint32_t> faces;
+  std::vector<std::uint32_t> twins;  ///< as `coincident_twins` has them
+};
+
+/// Joins triangles into faces. Two
 /// triangles that share an edge, once equal positions are welded, are of one face when the
 /// authored normals agree at both ends of the edge within `rule.same_normal`, or the angle
-/// between their planes is under `rule.crease`. An edge of three or more triangles joins those
-/// pairs that run along it in opposite directions; two triangles that run along it the same way
-/// are compared with one of them turned over, and an edge of more than 64 joins none. Degenerate
-/// triangles belong to the face of a neighbour, and join nothing. `normals` holds one a position,
-/// or nothing. Indices must be in range. The faces are the same whatever `threads`.
-std::vector<std::uint32_t> group_faces(std::span<const glm::dvec3> positions,
-                                       std::span<const glm::uvec3> triangles,
-                                       std::span<const glm::vec3> normals,
-                                       const FaceRule& rule = {}, int threads = 1);
+/// between their planes is under `rule.crease` (`Crease` says what is with one that equals it). An
+/// edge of three or more triangles joins those pairs that run along it in opposite directions; two
+/// triangles that run along it the same way are compared with one of them turned over, and an edge
+/// of more than 64 joins none. Triangles on the same three points are of one face and count once,
+/// whichever way round. Degenerate triangles belong to the face of a neighbour, and join nothing.
+/// `normals` holds one a position, or nothing. Indices must be in range. The faces are the same
+/// whatever `threads`.
+MeshFaces group_faces(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+                      std::span<const glm::vec3> normals, const FaceRule& rule = {},
+                      int threads = 1);
 
 /// The faces of triangles whose borders are told: two triangles that share an edge, once equal
 /// positions are welded, are of one face unless the edge is among `borders`, pairs of positions in
-/// either order. Numbered as above.
-std::vector<std::uint32_t> group_faces_between(std::span<const glm::dvec3> positions,
-                                               std::span<const glm::uvec3> triangles,
-                                               std::span<const glm::uvec2> borders,
-                                               int threads = 1);
+/// either order, or they lie on the same three points.
+MeshFaces group_faces_between(std::span<const glm::dvec3> positions,
+                              std::span<const glm::uvec3> triangles,
+                              std::span<const glm::uvec2> borders, int threads = 1);
 
 /// A mesh of polygons as triangles, with face k the polygon k. A face of `faces` lists the
 /// corners of one planar polygon counter-clockwise from outside, convex or not. Throws

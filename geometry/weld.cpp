@@ -103,4 +103,13 @@ std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions, int threa
   return first;
 }
 
+RawArray<glm::uvec3> welded(std::span<const glm::uvec3> triangles,
+                            std::span<const std::uint32_t> first, int threads) {
+  RawArray<glm::uvec3> out(triangles.size());
+  parallel_each(out.size(), threads, [&](std::size_t i) {
+    out[i] = {first[triangles[i].x], first[triangles[i].y], first[triangles[i].z]};
+  });
+  return out;
+}
+
 }  // namespace raycat

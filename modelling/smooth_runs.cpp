@@ -6,16 +6,19 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/crease.hpp"
+
 namespace raycat {
 
 std::vector<std::uint32_t> smooth_runs(const Contour& contour) {
   const std::size_t n = contour.size();
   const auto is_crease = [&](std::size_t i) {
-    constexpr double least = 30.0 - 1e-6;  // the corners of a regular dodecagon are creases
+    // The corners of a regular dodecagon are creases.
+    constexpr double least = std::numbers::pi / 6.0 - crease_slack;
     const glm::dvec2 in = contour[i] - contour[(i + n - 1) % n];
     const glm::dvec2 out = contour[(i + 1) % n] - contour[i];
     const double turn = std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out));
-    return std::abs(turn) >= least * std::numbers::pi / 180.0;
+    return std::abs(turn) >= least;
   };
   std::size_t first = 0;  // a crease, so that the run over the contour's end is one
   while (first < n && !is_crease(first)) {

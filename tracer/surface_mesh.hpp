@@ -29,6 +29,9 @@ struct SurfaceMesh {
   std::vector<glm::vec3> normals;
   std::vector<std::vector<glm::vec2>> texture_coordinates;  ///< sets of them; any may be empty
   std::vector<glm::vec4> colours;                           ///< linear
+  /// Triangles on the same three points, which are one surface: as `coincident_twins` has them
+  /// (geometry/coincident_twins.hpp), so empty if there are none.
+  std::vector<std::uint32_t> twins;
   /// Where there is one, it tells the face of each point, and `triangles.faces` only those of the
   /// triangles' middles.
   std::shared_ptr<const FeatureMap> features;

@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "geometry/coincident_twins.hpp"
 #include "io/files/load_error.hpp"
 #include "io/gltf/accessor.hpp"
 
@@ -97,6 +98,9 @@ class Deformation {
       const float length = glm::length(normal);
       normal =
           length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+    if (!mesh_->twins.empty()) {  // which a pose may have moved apart
+      mesh_->twins = coincident_twins(mesh_->triangles.positions, mesh_->triangles.triangles);
     }
     return mesh_;
   }

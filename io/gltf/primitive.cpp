@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/coincident_twins.hpp"
+#include "geometry/mesh_faces.hpp"
 #include "io/files/load_error.hpp"
 #include "io/gltf/accessor.hpp"
 #include "io/gltf/borders.hpp"
@@ -74,15 +76,18 @@ class PrimitiveReader {
     if (const auto features =
             feature_ids(document_, mesh_, primitive_, vertices, positions->size())) {
       take_features(*features, names, mesh->triangles);
+      find_twins(*mesh);
     } else if (mapped && has_coordinates(*mesh, mapped->map->place)) {
       take_features(*mapped, *mesh);
+      find_twins(*mesh);
     } else if (names != nullptr) {
       fail("extras.raycat: names features, but none can be read");
     } else if (polygons) {
-      mesh->triangles.faces = *std::move(polygons);
+      find_twins(*mesh);
+      mesh->triangles.faces = with_copies_joined(*std::move(polygons), mesh->twins);
       count_faces(mesh->triangles);
     } else if (auto outline = authored_outline(document_, mesh_, primitive_, positions->size())) {
-      group_between(*std::move(outline), vertices, mesh->triangles);
+      group_between(*std::move(outline), vertices, *mesh);
     } else {
       group(options.faces, *mesh);
     }
@@ -383,15 +388,14 @@ class PrimitiveReader {
   }
 
   void group(const FaceRule& rule, SurfaceMesh& mesh) const {
-    TriangleMesh& triangles = mesh.triangles;
-    triangles.faces =
-        group_faces(triangles.positions, triangles.triangles, mesh.normals, rule, threads_);
-    count_faces(triangles);
+    const TriangleMesh& triangles = mesh.triangles;
+    take_faces(group_faces(triangles.positions, triangles.triangles, mesh.normals, rule, threads_),
+               mesh);
   }
 
   // The outline is of the file's vertices, and lines between those that no triangle uses are none.
   void group_between(std::vector<glm::uvec2> outline, const std::vector<std::uint32_t>& vertices,
-                     TriangleMesh& mesh) const {
+                     SurfaceMesh& mesh) const {
     std::erase_if(outline, [&](const glm::uvec2& line) {
       return !std::ranges::binary_search(vertices, line.x) ||
              !std::ranges::binary_search(vertices, line.y);
@@ -402,8 +406,19 @@ class PrimitiveReader {
             static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, *end) - vertices.begin());
       }
     }
-    mesh.faces = group_faces_between(mesh.positions, mesh.triangles, outline, threads_);
-    count_faces(mesh);
+    const TriangleMesh& triangles = mesh.triangles;
+    take_faces(group_faces_between(triangles.positions, triangles.triangles, outline, threads_),
+               mesh);
+  }
+
+  static void take_faces(MeshFaces found, SurfaceMesh& mesh) {
+    mesh.triangles.faces = std::move(found.faces);
+    mesh.twins = std::move(found.twins);
+    count_faces(mesh.triangles);
+  }
+
+  void find_twins(SurfaceMesh& mesh) const {
+    mesh.twins = coincident_twins(mesh.triangles.positions, mesh.triangles.triangles, threads_);
   }
 
   static void count_faces(TriangleMesh& mesh) {

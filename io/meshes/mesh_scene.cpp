@@ -14,8 +14,10 @@ SceneFile read_mesh_scene(const std::filesystem::path& file, SceneKind kind,
   auto mesh = std::make_shared<SurfaceMesh>();
   mesh->triangles = read_mesh_file(file, kind);
   TriangleMesh& triangles = mesh->triangles;
-  triangles.faces =
+  MeshFaces grouped =
       group_faces(triangles.positions, triangles.triangles, {}, options.faces, options.threads);
+  triangles.faces = std::move(grouped.faces);
+  mesh->twins = std::move(grouped.twins);
   triangles.face_count = 1 + *std::ranges::max_element(triangles.faces);
 
   SceneFile out;

@@ -144,7 +144,8 @@ Polygons projected(Context& context, const Node& node, const TriangleMesh& opera
 
 std::optional<Primitive> solid_with_faces(Context& context, const Node& node, TriangleMesh mesh) {
   mesh.faces = group_faces(mesh.positions, mesh.triangles, {}, context.options.faces,
-                           context.options.threads);
+                           context.options.threads)
+                   .faces;
   mesh.face_count = mesh.faces.empty() ? 0 : 1 + *std::ranges::max_element(mesh.faces);
   return solid(context, node, std::move(mesh));
 }

@@ -16,8 +16,9 @@ namespace raycat {
 enum class Facetting { openscad, smooth };
 
 struct LoadOptions {
-  FaceRule faces;         ///< how mesh triangles join into faces
-  double exposure = 0.0;  ///< EV: glTF's lights count 2^exposure times
+  FaceRule faces;               ///< how mesh triangles join into faces
+  bool join_primitives = true;  ///< of a glTF mesh that continue each other (docs/scene-files.md)
+  double exposure = 0.0;        ///< EV: glTF's lights count 2^exposure times
   Facetting facets = Facetting::openscad;
   LoadLimits limits;           ///< of glTF files
   int threads = 1;             ///< that find faces; these do not depend on it

@@ -19,6 +19,16 @@ namespace {
 
 using Faces = std::vector<std::uint32_t>;
 
+Faces faces_of(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+               std::span<const glm::vec3> normals, const FaceRule& rule = {}, int threads = 1) {
+  return group_faces(positions, triangles, normals, rule, threads).faces;
+}
+
+Faces faces_between(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
+                    std::span<const glm::uvec2> borders, int threads = 1) {
+  return group_faces_between(positions, triangles, borders, threads).faces;
+}
+
 std::uint32_t count(const Faces& faces) {
   return faces.empty() ? 0 : *std::max_element(faces.begin(), faces.end()) + 1;
 }
@@ -45,26 +55,6 @@ std::vector<glm::vec3> flat_normals(const TriangleMesh& mesh) {
         glm::vec3(glm::normalize(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a))));
   }
   return normals;
-}
-
-// A prism: caps at z = 0 and 1.
-TriangleMesh cylinder(std::uint32_t sides) {
-  std::vector<glm::dvec3> points;
-  Faces bottom(sides);
-  Faces top(sides);
-  std::vector<Faces> faces;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const double u = 2.0 * std::numbers::pi * i / sides;
-    points.emplace_back(std::cos(u), std::sin(u), 0.0);
-    points.emplace_back(std::cos(u), std::sin(u), 1.0);
-    const std::uint32_t j = (i + 1) % sides;
-    faces.push_back({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
-    top[i] = 2 * i + 1;
-    bottom[sides - 1 - i] = 2 * i;
-  }
-  faces.push_back(bottom);
-  faces.push_back(top);
-  return triangulate(std::move(points), faces);
 }
 
 double area(const std::vector<glm::dvec3>& points, const Faces& polygon) {
@@ -136,52 +126,52 @@ TEST_CASE("points weld and faces are found alike on any number of threads",
           "[geometry][mesh_faces]") {
   const TriangleMesh mesh = split(test::torus(400, 200, 0.02));  // large enough to be parted
   const Faces first = weld(mesh.positions);
-  const Faces faces = group_faces(mesh.positions, mesh.triangles, {});
+  const Faces faces = faces_of(mesh.positions, mesh.triangles, {});
   CHECK(count(faces) > 100);
   CHECK(count(faces) < mesh.triangles.size() / 2);
   const int threads = GENERATE(2, 3, 8);
   CHECK(weld(mesh.positions, threads) == first);
-  CHECK(group_faces(mesh.positions, mesh.triangles, {}, {}, threads) == faces);
+  CHECK(faces_of(mesh.positions, mesh.triangles, {}, {}, threads) == faces);
   const std::vector<glm::uvec2> borders{{0, 1}, {1, 2}, {300, 301}};
-  CHECK(group_faces_between(mesh.positions, mesh.triangles, borders, threads) ==
-        group_faces_between(mesh.positions, mesh.triangles, borders));
+  CHECK(faces_between(mesh.positions, mesh.triangles, borders, threads) ==
+        faces_between(mesh.positions, mesh.triangles, borders));
 }
 
 TEST_CASE("a cube has six faces however it was exported", "[geometry][mesh_faces]") {
   const TriangleMesh cube = test::box(glm::dvec3(-1.0), glm::dvec3(1.0));
   const Faces expected{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5};
-  CHECK(group_faces(cube.positions, cube.triangles, {}) == expected);
+  CHECK(faces_of(cube.positions, cube.triangles, {}) == expected);
   const TriangleMesh soup = split(cube);
-  CHECK(group_faces(soup.positions, soup.triangles, {}) == expected);
-  CHECK(group_faces(soup.positions, soup.triangles, flat_normals(soup)) == expected);
+  CHECK(faces_of(soup.positions, soup.triangles, {}) == expected);
+  CHECK(faces_of(soup.positions, soup.triangles, flat_normals(soup)) == expected);
 }
 
 TEST_CASE("a cube with smooth normals is one face", "[geometry][mesh_faces]") {
   const TriangleMesh cube = test::box(glm::dvec3(-1.0), glm::dvec3(1.0));
   const std::vector<glm::vec3> normals(cube.positions.begin(), cube.positions.end());  // any length
-  CHECK(count(group_faces(cube.positions, cube.triangles, normals)) == 1);
+  CHECK(count(faces_of(cube.positions, cube.triangles, normals)) == 1);
 }
 
 TEST_CASE("a flat-shaded cylinder of 32 sides has three faces", "[geometry][mesh_faces]") {
-  const TriangleMesh mesh = split(cylinder(32));
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, flat_normals(mesh))) == 3);
+  const TriangleMesh mesh = split(test::prism(32));
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, flat_normals(mesh))) == 3);
 }
 
 TEST_CASE("the crease is the angle at which faces part", "[geometry][mesh_faces]") {
-  const TriangleMesh mesh = cylinder(12);  // 30 degrees from side to side
+  const TriangleMesh mesh = test::prism(12);  // 30 degrees from side to side
   const double degree = std::numbers::pi / 180.0;
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, {}, {.crease = 30.01 * degree})) == 3);
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, {}, {.crease = 29.99 * degree})) == 14);
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, {}, {.crease = 91.0 * degree})) == 1);
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, {}, {.crease = 1e-6})) == 14);
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, {}, {.crease = 30.01 * degree})) == 3);
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, {}, {.crease = 29.99 * degree})) == 14);
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, {}, {.crease = 91.0 * degree})) == 1);
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, {}, {.crease = 1e-6})) == 14);
 }
 
 TEST_CASE("a low-poly ball is one face if its normals are smooth, else facets",
           "[geometry][mesh_faces]") {
   const TriangleMesh mesh = test::ball(3);
   const std::vector<glm::vec3> normals(mesh.positions.begin(), mesh.positions.end());
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, normals)) == 1);
-  CHECK(count(group_faces(mesh.positions, mesh.triangles, {})) == 18);
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, normals)) == 1);
+  CHECK(count(faces_of(mesh.positions, mesh.triangles, {})) == 18);
 }
 
 TEST_CASE("three half-planes of one edge join those that continue each other",
@@ -190,10 +180,10 @@ TEST_CASE("three half-planes of one edge join those that continue each other",
   const std::vector<glm::dvec3> points{
       {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, 1.0}};
   const std::vector<glm::uvec3> triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
-  CHECK(group_faces(points, triangles, {}) == Faces{0, 0, 1});
+  CHECK(faces_of(points, triangles, {}) == Faces{0, 0, 1});
   SECTION("which does not depend on the order") {
     const std::vector<glm::uvec3> shuffled{{4, 0, 1}, {0, 3, 1}, {2, 0, 1}};
-    CHECK(group_faces(points, shuffled, {}) == Faces{0, 1, 1});
+    CHECK(faces_of(points, shuffled, {}) == Faces{0, 1, 1});
   }
 }
 
@@ -202,20 +192,20 @@ TEST_CASE("of more than two triangles at an edge, those that run along it one wa
   const std::vector<glm::dvec3> points{
       {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.5, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
-  CHECK(group_faces(points, triangles, {}) == Faces{0, 1, 2});
+  CHECK(faces_of(points, triangles, {}) == Faces{0, 1, 2});
 }
 
 TEST_CASE("two triangles that run along an edge the same way are compared with one turned over",
           "[geometry][mesh_faces]") {
   const std::vector<glm::dvec3> points{
       {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.1, 1.0}};
-  CHECK(group_faces(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 1, 3}}, {}) == Faces{0, 0});
-  CHECK(group_faces(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 1, 4}}, {}) == Faces{0, 1});
+  CHECK(faces_of(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 1, 3}}, {}) == Faces{0, 0});
+  CHECK(faces_of(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 1, 4}}, {}) == Faces{0, 1});
 }
 
-TEST_CASE("the two sides of a sheet are two faces", "[geometry][mesh_faces]") {
+TEST_CASE("the two sides of a sheet stored twice are one face", "[geometry][mesh_faces]") {
   const std::vector<glm::dvec3> points{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-  CHECK(group_faces(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}}, {}) == Faces{0, 1});
+  CHECK(faces_of(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}}, {}) == Faces{0, 0});
 }
 
 TEST_CASE("degenerate triangles take a neighbour's face and join nothing",
@@ -224,15 +214,15 @@ TEST_CASE("degenerate triangles take a neighbour's face and join nothing",
   cube.positions.emplace_back(-1.0, -1.0, 0.0);
   const std::vector<glm::uvec3> without_area{{0, 0, 0}, {0, 4, 4}, {0, 4, 8}, {8, 8, 4}, {7, 7, 7}};
   cube.triangles.insert(cube.triangles.begin(), without_area.begin(), without_area.end());
-  const Faces faces = group_faces(cube.positions, cube.triangles, {});
+  const Faces faces = faces_of(cube.positions, cube.triangles, {});
   CHECK(count(faces) == 6);
   CHECK(Faces(faces.begin() + 5, faces.begin() + 5 + 2).front() == faces[6]);
 }
 
 TEST_CASE("triangles without any neighbour have faces of their own", "[geometry][mesh_faces]") {
   const std::vector<glm::dvec3> points{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-  CHECK(group_faces(points, std::vector<glm::uvec3>{{0, 0, 0}, {1, 1, 1}}, {}) == Faces{0, 1});
-  CHECK(group_faces(points, {}, {}).empty());
+  CHECK(faces_of(points, std::vector<glm::uvec3>{{0, 0, 0}, {1, 1, 1}}, {}) == Faces{0, 1});
+  CHECK(faces_of(points, {}, {}).empty());
 }
 
 TEST_CASE("normals that are zero or not finite agree with nothing", "[geometry][mesh_faces]") {
@@ -240,12 +230,12 @@ TEST_CASE("normals that are zero or not finite agree with nothing", "[geometry][
   const float bad = GENERATE(0.0F, std::numeric_limits<float>::quiet_NaN(),
                              std::numeric_limits<float>::infinity());
   const std::vector<glm::vec3> normals(8, glm::vec3(bad, 0.0F, 0.0F));
-  CHECK(count(group_faces(cube.positions, cube.triangles, normals)) == 6);
+  CHECK(count(faces_of(cube.positions, cube.triangles, normals)) == 6);
 }
 
 TEST_CASE("told borders part faces, whatever the angles", "[geometry][mesh_faces]") {
   const TriangleMesh cube = split(test::box(glm::dvec3(-1.0), glm::dvec3(1.0)));
-  CHECK(count(group_faces_between(cube.positions, cube.triangles, {})) == 1);
+  CHECK(count(faces_between(cube.positions, cube.triangles, {})) == 1);
   // A border between the two triangles of each side, by corners of their own.
   std::vector<glm::uvec2> diagonals;
   for (std::uint32_t i = 0; i < cube.triangles.size(); i += 2) {
@@ -268,8 +258,8 @@ TEST_CASE("told borders part faces, whatever the angles", "[geometry][mesh_faces
   for (const glm::uvec3& t : cube.triangles) {
     all.insert(all.end(), {{t.x, t.y}, {t.y, t.z}, {t.z, t.x}});
   }
-  CHECK(count(group_faces_between(cube.positions, cube.triangles, all)) == 12);
-  CHECK(count(group_faces_between(cube.positions, cube.triangles, diagonals)) < 12);
+  CHECK(count(faces_between(cube.positions, cube.triangles, all)) == 12);
+  CHECK(count(faces_between(cube.positions, cube.triangles, diagonals)) < 12);
 }
 
 TEST_CASE("a convex polygon is a fan", "[geometry][triangulate]") {

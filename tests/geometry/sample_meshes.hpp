@@ -27,6 +27,26 @@ inline TriangleMesh box(const glm::dvec3& low, const glm::dvec3& high) {
   return triangulate(std::move(corners), faces);
 }
 
+/// A regular prism of radius 1 from z = 0 to 1; its sides are faces, then the bottom and the top.
+inline TriangleMesh prism(std::uint32_t sides) {
+  std::vector<glm::dvec3> points;
+  std::vector<std::uint32_t> bottom(sides);
+  std::vector<std::uint32_t> top(sides);
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double u = 2.0 * std::numbers::pi * i / sides;
+    points.emplace_back(std::cos(u), std::sin(u), 0.0);
+    points.emplace_back(std::cos(u), std::sin(u), 1.0);
+    const std::uint32_t j = (i + 1) % sides;
+    faces.push_back({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
+    top[i] = 2 * i + 1;
+    bottom[sides - 1 - i] = 2 * i;
+  }
+  faces.push_back(bottom);
+  faces.push_back(top);
+  return triangulate(std::move(points), faces);
+}
+
 inline TriangleMesh flipped(TriangleMesh mesh) {
   for (glm::uvec3& triangle : mesh.triangles) {
     triangle = {triangle.x, triangle.z, triangle.y};

@@ -194,7 +194,7 @@ TEST_CASE("a cube of triangles has the same edges and no diagonals", "[paper][co
        {-1, 1, 1}},
       std::vector<std::vector<std::uint32_t>>{
           {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {1, 2, 6, 5}, {0, 4, 7, 3}});
-  mesh.triangles.faces = group_faces(mesh.triangles.positions, mesh.triangles.triangles, {});
+  mesh.triangles.faces = group_faces(mesh.triangles.positions, mesh.triangles.triangles, {}).faces;
   mesh.triangles.face_count = *std::ranges::max_element(mesh.triangles.faces) + 1;
   REQUIRE(mesh.triangles.face_count == 6);
   SceneBuilder builder;
