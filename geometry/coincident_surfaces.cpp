@@ -23,6 +23,7 @@ struct Key {
   std::array<double, 6> values{};
   std::size_t count = 0;
   bool directed = true;
+  bool planar = false;
 
   void add(const glm::dvec3& v) {
     for (int k = 0; k < 3; ++k) {
@@ -32,7 +33,7 @@ struct Key {
 };
 
 Key key_of(const Plane& plane, double size) {
-  Key key;
+  Key key{.planar = true};
   key.add(plane.normal);
   key.values[key.count++] = plane.offset / size;
   return key;
@@ -70,11 +71,11 @@ bool face_apart(const CurvedSurface& /*a*/, const CurvedSurface& /*b*/) { return
 
 // Keys are looked up in cells, those that may differ by more in larger ones, so that few cells are
 // looked at and few surfaces are in each.
-constexpr std::array cells{0x1p-7, 0x1p-11, 0x1p-15, 0x1p-19};
+constexpr std::array cell_sizes{0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19};
 
 std::size_t level_for(double noise) {
-  std::size_t level = cells.size() - 1;
-  while (level > 0 && noise > cells[level] / 8.0) {
+  std::size_t level = cell_sizes.size() - 1;
+  while (level > 0 && noise > cell_sizes[level] / 4.0) {
     --level;
   }
   return level;
@@ -84,7 +85,7 @@ std::size_t level_for(double noise) {
 // direction says nothing is only looked for nearby.
 double noise_of(const SurfacePiece& piece, double size, double tolerance) {
   const double noise = 4.0 * tolerance / std::min(piece.width, size);
-  return std::min(noise, cells[0] / 2.0);
+  return std::min(noise, cell_sizes[0] / 2.0);
 }
 
 // The surfaces of one kind, by their keys.
@@ -98,7 +99,7 @@ class Table {
       : size_(size),
         tolerance_(tolerance),
         levels_(levels),
-        heads_(std::bit_ceil(std::max<std::size_t>(most, 1)), none) {}
+        cells_(std::bit_ceil(std::max<std::size_t>(most, 1))) {}
 
   // The first surface that is near all samples of the piece; else the piece's own, numbered `next`.
   Place join(const Surface& surface, const SurfacePiece& piece, std::uint32_t next) {
@@ -119,9 +120,16 @@ class Table {
   }
 
  private:
+  // A known surface in a cell, with enough of its key to pass by most without looking at them.
   struct Entry {
+    std::array<float, 4> values{};
     std::uint32_t known = 0;
-    std::uint32_t next = none;
+  };
+
+  // Its entries, side by side with room for a power of two of them. Cells may share one.
+  struct Cell {
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;
   };
 
   struct Known {
@@ -130,7 +138,7 @@ class Table {
   };
 
   static std::int64_t index(double value, std::size_t level) {
-    return static_cast<std::int64_t>(std::floor(value / cells[level]));
+    return static_cast<std::int64_t>(std::floor(value / cell_sizes[level]));
   }
 
   std::size_t slot(const std::array<std::int64_t, 6>& cell, std::size_t count,
@@ -140,23 +148,35 @@ class Table {
       hash = (hash ^ static_cast<std::uint64_t>(cell[k])) * 0x9e3779b97f4a7c15U;
       hash ^= hash >> 29U;
     }
-    return hash & (heads_.size() - 1);
+    return hash & (cells_.size() - 1);
   }
 
   void add(const Surface& surface, const Key& key, std::uint32_t number) {
     std::array<std::int64_t, 6> cell{};
-    for (std::size_t level = 0; level < cells.size(); ++level) {
+    for (std::size_t level = 0; level < cell_sizes.size(); ++level) {
       if ((levels_ >> level & 1U) == 0) {
         continue;
       }
       for (std::size_t k = 0; k < key.count; ++k) {
         cell[k] = index(key.values[k], level);
       }
-      std::uint32_t& head = heads_[slot(cell, key.count, level)];
-      entries_.push_back({.known = static_cast<std::uint32_t>(known_.size()), .next = head});
-      head = static_cast<std::uint32_t>(entries_.size() - 1);
+      Entry entry{.known = static_cast<std::uint32_t>(known_.size())};
+      for (std::size_t k = 0; k < entry.values.size(); ++k) {
+        entry.values[k] = static_cast<float>(key.values[k]);
+      }
+      push(cells_[slot(cell, key.count, level)], entry);
     }
     known_.push_back({.surface = surface, .number = number});
+  }
+
+  void push(Cell& cell, const Entry& entry) {
+    if (cell.count == 0 || std::has_single_bit(cell.count)) {  // no room
+      const auto begin = static_cast<std::uint32_t>(entries_.size());
+      entries_.resize(begin + std::max(2 * cell.count, 1U));
+      std::copy_n(entries_.begin() + cell.begin, cell.count, entries_.begin() + begin);
+      cell.begin = begin;
+    }
+    entries_[cell.begin + cell.count++] = entry;
   }
 
   // Lowers `found` to the first of those in the cells around the key that is near all samples.
@@ -170,11 +190,11 @@ class Table {
     }
     std::array<std::int64_t, 6> cell = low;
     for (;;) {
-      for (std::uint32_t entry = heads_[slot(cell, key.count, level)]; entry != none;
-           entry = entries_[entry].next) {
-        const std::uint32_t known = entries_[entry].known;
-        if (known < found && holds(known_[known].surface, samples)) {
-          found = known;
+      const auto [begin, count] = cells_[slot(cell, key.count, level)];
+      for (const Entry& entry : std::span(entries_).subspan(begin, count)) {
+        if (entry.known < found && differ_little(entry.values, key, noise) &&
+            holds(known_[entry.known].surface, samples)) {
+          found = entry.known;
         }
       }
       std::size_t k = 0;
@@ -188,6 +208,20 @@ class Table {
     }
   }
 
+  bool differ_little(const std::array<float, 4>& values, const Key& key, double noise) const {
+    constexpr double rounding = 0x1p-23;
+    std::array<double, 4> difference{};
+    for (std::size_t k = 0; k < difference.size(); ++k) {
+      difference[k] = std::abs(double{values[k]} - key.values[k]);
+      if (difference[k] > noise + rounding) {
+        return false;
+      }
+    }
+    // Planes that both come by a place within 2 of the middle.
+    return !key.planar || difference[3] <= 2.0 * (difference[0] + difference[1] + difference[2]) +
+                                               4.0 * tolerance_ / size_ + 8.0 * rounding;
+  }
+
   bool holds(const Surface& surface, std::span<const glm::dvec3> samples) const {
     return std::ranges::all_of(
         samples, [&](const glm::dvec3& sample) { return surface.distance(sample) <= tolerance_; });
@@ -197,7 +231,7 @@ class Table {
   double tolerance_;
   unsigned levels_;
   std::vector<Known> known_;
-  std::vector<std::uint32_t> heads_;
+  std::vector<Cell> cells_;  // by hash
   std::vector<Entry> entries_;
 };
 
