@@ -54,17 +54,6 @@ struct Chord {
   }
 };
 
-// The cone that touches both balls, between the circles where it does. With the angle whose sine
-// is the fall of the radii over the height, those lie sine times the radius above each centre.
-Frustum tangent_cone(const Capsule& capsule, double fall) {
-  const double sine = fall / capsule.height;
-  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-  return {.middle = 0.5 * sine * (capsule.radius_top + capsule.radius_bottom),
-          .half_height = 0.5 * capsule.height * cosine * cosine,
-          .radius = 0.5 * cosine * (capsule.radius_top + capsule.radius_bottom),
-          .slope = -sine / cosine};
-}
-
 glm::dvec3 ball_normal(const Ball& ball, const glm::dvec3& point) {
   if (ball.radius == 0.0) {
     return {0.0, ball.height, 0.0};  // the apex has many normals, and the axis is one
@@ -74,6 +63,21 @@ glm::dvec3 ball_normal(const Ball& ball, const glm::dvec3& point) {
 
 }  // namespace
 
+// With the angle whose sine is the fall of the radii over the height, the circles lie sine times
+// the radius above each centre.
+std::optional<Frustum> side_of(const Capsule& capsule) noexcept {
+  const double fall = capsule.radius_bottom - capsule.radius_top;
+  if (!(std::abs(fall) < capsule.height)) {
+    return std::nullopt;
+  }
+  const double sine = fall / capsule.height;
+  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+  return Frustum{.middle = 0.5 * sine * (capsule.radius_top + capsule.radius_bottom),
+                 .half_height = 0.5 * capsule.height * cosine * cosine,
+                 .radius = 0.5 * cosine * (capsule.radius_top + capsule.radius_bottom),
+                 .slope = -sine / cosine};
+}
+
 bool cross(const Capsule& capsule, const Ray& ray, Crossings& out) {
   const double nearest =
       -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
@@ -82,11 +86,9 @@ bool cross(const Capsule& capsule, const Ray& ray, Crossings& out) {
   const Ball bottom{.height = -0.5 * capsule.height, .radius = capsule.radius_bottom};
   chord.include(top, FrustumPart::top);
   chord.include(bottom, FrustumPart::bottom);
-  Frustum cone;
-  const double fall = capsule.radius_bottom - capsule.radius_top;
-  if (std::abs(fall) < capsule.height) {  // else one ball holds the other
-    cone = tangent_cone(capsule, fall);
-    const FrustumSpan within = span(cone, chord.near, chord.direction);
+  const std::optional<Frustum> cone = side_of(capsule);
+  if (cone) {
+    const FrustumSpan within = span(*cone, chord.near, chord.direction);
     chord.include({within.in, within.in_part}, {within.out, within.out_part});
   }
   if (!(nearest + chord.in.s < nearest + chord.out.s)) {
@@ -95,7 +97,7 @@ bool cross(const Capsule& capsule, const Ray& ray, Crossings& out) {
   for (const bool entering : {true, false}) {
     const End& end = entering ? chord.in : chord.out;
     const glm::dvec3 point = chord.near + end.s * chord.direction;
-    const glm::dvec3 normal = end.part == FrustumPart::side  ? cone.side_normal(point)
+    const glm::dvec3 normal = end.part == FrustumPart::side  ? cone->side_normal(point)
                               : end.part == FrustumPart::top ? ball_normal(top, point)
                                                              : ball_normal(bottom, point);
     out.push_back({.t = nearest + end.s,

@@ -28,13 +28,17 @@ Crossing crossing(const Cylinder& cylinder, const Frustum& frustum, FrustumPart 
 
 }  // namespace
 
+Frustum side_of(const Cylinder& cylinder) noexcept {
+  return {.half_height = 0.5 * cylinder.height,
+          .radius = 0.5 * (cylinder.radius_top + cylinder.radius_bottom),
+          .slope = (cylinder.radius_top - cylinder.radius_bottom) / cylinder.height};
+}
+
 bool cross(const Cylinder& cylinder, const Ray& ray, Crossings& out) {
   const glm::dvec3& direction = ray.direction;
   const double nearest = -glm::dot(ray.origin, direction) / glm::dot(direction, direction);
   const glm::dvec3 near = ray.at(nearest);
-  const Frustum frustum{.half_height = 0.5 * cylinder.height,
-                        .radius = 0.5 * (cylinder.radius_top + cylinder.radius_bottom),
-                        .slope = (cylinder.radius_top - cylinder.radius_bottom) / cylinder.height};
+  const Frustum frustum = side_of(cylinder);
   const FrustumSpan within = span(frustum, near, direction);
   if (!(nearest + within.in < nearest + within.out)) {
     return false;

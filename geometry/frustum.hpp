@@ -1,8 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/vec3.hpp>
 
 namespace raycat {
+
+struct Capsule;
+struct Cylinder;
 
 /// The solid of revolution around Y between two heights whose radius is
 /// `radius + slope * (y - middle)`, nowhere negative: a cylinder, a cone or a part of one.
@@ -15,6 +20,13 @@ struct Frustum {
   /// Points out of the side, at a point of the side. Of any length above 0.
   glm::dvec3 side_normal(const glm::dvec3& point) const noexcept;
 };
+
+/// What the side of a cylinder or a cone bounds.
+Frustum side_of(const Cylinder& cylinder) noexcept;
+
+/// What touches both balls of a capsule, between the circles where it does; nothing if one ball
+/// holds the other.
+std::optional<Frustum> side_of(const Capsule& capsule) noexcept;
 
 enum class FrustumPart { side, bottom, top };
 
