@@ -1,5 +1,190 @@
 #include "tracer/surface_layers.hpp"
 
+#include <algorithm>
+#include <compare>
+#include <numeric>
+#include <tuple>
+
+#include "geometry/coincident_surfaces.hpp"
+#include "geometry/surface_piece.hpp"
+
 namespace raycat {
-SurfaceLayers::SurfaceLayers(const Scene&) {}
+namespace {
+
+// What rays may meet in one place: a solid or a mesh.
+struct Thing {
+  Bounds box;    // somewhat larger than it
+  Bounds where;  // the part of it that others come near
+};
+
+Bounds grown(const Bounds& box, double by) {
+  return box.empty() ? box : Bounds{.min = box.min - by, .max = box.max + by};
+}
+
+// Sets `where` of all things, by their order along an axis.
+void find_neighbours(std::vector<Thing>& things, int axis) {
+  std::vector<std::uint32_t> order(things.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::erase_if(order, [&](std::uint32_t i) { return things[i].box.empty(); });
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return things[i].box.min[axis]; });
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t i : order) {
+    Thing& thing = things[i];
+    std::erase_if(open, [&](std::uint32_t other) {
+      return things[other].box.max[axis] < thing.box.min[axis];
+    });
+    for (const std::uint32_t other : open) {
+      const Bounds both = intersection(thing.box, things[other].box);
+      if (!both.empty()) {
+        thing.where.include(both);
+        things[other].where.include(both);
+      }
+    }
+    open.push_back(i);
+  }
+}
+
+int longest_axis(const Bounds& box) {
+  const glm::dvec3 half = box.half_size();
+  return half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
+}
+
+// A piece of a surface that more than one thing may have a part of.
+struct Member {
+  std::uint32_t surface = 0;
+  bool reversed = false;
+  bool opaque = true;
+  SurfaceId face{};
+  std::uint32_t thing = 0;
+  std::size_t part = 0;
+  std::uint32_t piece = 0;
+
+  auto side() const { return std::tie(surface, reversed); }
+  auto order() const { return std::tie(surface, reversed, opaque, face, part, piece); }
+};
+
+bool opaque(const Material& material) {
+  return !material.blend && material.transmission == glm::vec3(0.0f) &&
+         material.alpha_cutoff <= 0.0f;
+}
+
+std::vector<Thing> things_of(const Scene& scene, double tolerance) {
+  std::vector<Thing> out;
+  for (const SolidObject& object : scene.solids) {
+    out.push_back({.box = grown(object.solid.bounds(), tolerance), .where = {}});
+  }
+  for (const MeshInstance& mesh : scene.meshes) {
+    out.push_back({.box = grown(mesh.transform.bounds(bounds(mesh.mesh->triangles)), tolerance),
+                   .where = {}});
+  }
+  Bounds all;
+  for (const Thing& thing : out) {
+    if (thing.box.finite()) {
+      all.include(thing.box);
+    }
+  }
+  find_neighbours(out, all.empty() ? 0 : longest_axis(all));
+  return out;
+}
+
+// The members of surfaces that two things have, in order.
+std::vector<Member> members_of(const Scene& scene, const std::vector<Thing>& things,
+                               const CoincidentSurfaces& surfaces) {
+  std::vector<Member> out;
+  std::uint32_t part = 0;
+  std::uint32_t thing = 0;
+  const auto add = [&](std::uint32_t piece, SurfaceId face, MaterialId material) {
+    const CoincidentSurfaces::Place place = surfaces.place(part, piece);
+    if (place.surface != CoincidentSurfaces::none) {
+      out.push_back({.surface = place.surface,
+                     .reversed = place.reversed,
+                     .opaque = opaque(material_of(scene, material)),
+                     .face = face,
+                     .thing = thing,
+                     .part = part,
+                     .piece = piece});
+    }
+  };
+  for (const SolidObject& object : scene.solids) {
+    for (std::size_t i = 0; i < object.materials.size(); ++i, ++part) {
+      const CsgLeaf& leaf = object.solid.tree().leaves()[i];
+      const std::uint32_t pieces =
+          things[thing].where.empty() ? 0 : piece_count(leaf.shape.shape());
+      for (std::uint32_t piece = 0; piece < pieces; ++piece) {
+        add(piece, leaf.first_face, object.materials[i]);
+      }
+    }
+    ++thing;
+  }
+  for (const MeshInstance& mesh : scene.meshes) {
+    const TriangleMesh& triangles = mesh.mesh->triangles;
+    const std::size_t pieces = things[thing].where.empty() ? 0 : triangles.triangles.size();
+    for (std::uint32_t piece = 0; piece < pieces; ++piece) {
+      add(piece,
+          SurfaceId{static_cast<std::uint32_t>(mesh.first_face) + triangles.faces[piece]},
+          mesh.material);
+    }
+    ++part;
+    ++thing;
+  }
+  std::ranges::sort(out, {}, &Member::order);
+  for (auto first = out.begin(); first != out.end();) {
+    const auto last = std::find_if(
+        first, out.end(), [&](const Member& member) { return member.surface != first->surface; });
+    const bool shared =
+        std::any_of(first, last, [&](const Member& member) { return member.thing != first->thing; });
+    first = shared ? last : out.erase(first, last);
+  }
+  return out;
+}
+
+}  // namespace
+
+SurfaceLayers::SurfaceLayers(const Scene& scene) {
+  const Bounds whole = bounds(scene);
+  tolerance_ = coincidence_tolerance(whole);
+  const std::vector<Thing> things = things_of(scene, tolerance_);
+  if (std::ranges::all_of(things, [](const Thing& thing) { return thing.where.empty(); })) {
+    return;
+  }
+  CoincidentSurfaces surfaces(whole, tolerance_);
+  std::vector<std::uint32_t> pieces;
+  for (const SolidObject& object : scene.solids) {
+    leaves_.push_back(pieces.size());
+    const Bounds& where = things[leaves_.size() - 1].where;
+    for (const CsgLeaf& leaf : object.solid.tree().leaves()) {
+      surfaces.add(leaf.shape, where);
+      pieces.push_back(piece_count(leaf.shape.shape()));
+    }
+  }
+  meshes_ = pieces.size();
+  for (const MeshInstance& mesh : scene.meshes) {
+    surfaces.add(mesh.mesh->triangles, mesh.transform,
+                 things[scene.solids.size() + pieces.size() - meshes_].where);
+    pieces.push_back(static_cast<std::uint32_t>(mesh.mesh->triangles.triangles.size()));
+  }
+  surfaces.find();
+  if (!surfaces.any()) {
+    return;
+  }
+  first_.assign(pieces.size(), none);
+  const std::vector<Member> members = members_of(scene, things, surfaces);
+  const Member* before = nullptr;
+  std::int32_t rank = 0;
+  for (const Member& member : members) {
+    if (before == nullptr || before->side() != member.side()) {
+      rank = 1;
+    } else if (std::tie(before->opaque, before->face) != std::tie(member.opaque, member.face)) {
+      ++rank;
+    }
+    before = &member;
+    if (first_[member.part] == none) {
+      first_[member.part] = static_cast<std::uint32_t>(layers_.size());
+      layers_.resize(layers_.size() + pieces[member.part]);
+    }
+    layers_[first_[member.part] + member.piece] = {.surface = member.surface,
+                                                   .height = member.reversed ? rank : -rank};
+  }
+}
+
 }  // namespace raycat
