@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "csg/coincident_leaves.hpp"
 #include "csg/set_bounds.hpp"
 #include "geometry/line_clip.hpp"
 
@@ -15,26 +16,32 @@ namespace raycat {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Of the half diagonal (docs/design.md, Coincident surfaces).
-constexpr double relative_tolerance = 1e-7;
 
-// Around where a leaf matters, in tolerances, so that no group reaches from a crossing left out to
-// one that is not.
+// Around where a leaf matters, in tolerances, so that a crossing left out coincides with none that
+// is not.
 constexpr double reach_margin = 4.0;
 
-// How far behind its begin `first` looks, in tolerances: where a group begins depends on the one
-// before only while crossings follow each other within a tolerance.
+// How far apart crossings at one place may be by rounding, of the coordinates they are computed
+// from; where a line meets two faces at their common edge, some of them are hit at a small angle.
+constexpr double rounding = 0x1p-40;
+
+// How far behind its begin `first` looks, in lengths of a group: where a group begins depends on
+// the one before only while crossings follow each other within one.
 constexpr double groups_behind = 16.0;
 
-double tolerance_of(const CsgTree& tree) {
-  Bounds all;
-  for (const CsgLeaf& leaf : tree.leaves()) {
-    if (leaf.shape.bounds().finite()) {
-      all.include(leaf.shape.bounds());
-    }
+// How far along the line a crossing is moved at most, in tolerances: a line at a smaller angle to
+// two faces than the inverse sees them as they are.
+constexpr double farthest_shift = 1e4;
+
+double extent_of(const Bounds& box) {
+  if (box.empty()) {
+    return 1.0;
   }
-  return relative_tolerance * (all.empty() ? 1.0 : glm::length(all.half_size()));
+  const glm::dvec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+  return std::max({farthest.x, farthest.y, farthest.z});
 }
+
+double tolerance_of(const CsgTree& tree) { return coincidence_tolerance(bounded_leaves(tree)); }
 
 CsgTree complete(CsgTree tree) {
   tree.require_complete();
@@ -55,18 +62,49 @@ constexpr auto after = [](const auto& a, const auto& b) { return before(b, a); }
 
 Solid::Solid(CsgTree tree)
     : tree_(complete(std::move(tree))),
-      tolerance_(tolerance_of(tree_)),
+      extent_(extent_of(bounded_leaves(tree_))),
+      coincident_(coincident_leaves(tree_)),
       bounds_(set_bounds(tree_).back()),
       leaves_(tree_.leaves()),
       paths_(tree_),
-      index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_)) {}
+      index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_of(tree_))) {
+  if (coincident_.any()) {
+    shift_ = farthest_shift * tolerance_of(tree_);
+  }
+}
 
-double Solid::group_length(const Ray& ray) const { return tolerance_ / glm::length(ray.direction); }
+double Solid::group_length(const Ray& ray) const {
+  return rounding * (extent_ + glm::length(ray.origin)) / glm::length(ray.direction);
+}
+
+// Moves the leaf's crossings, from `first` on, to where the line passes through the surfaces that
+// it shares with others. Where that makes the leaf end before it begins, the line misses it.
+void Solid::settle(const Ray& ray, std::uint32_t leaf, std::size_t first,
+                   Crossings& crossings) const {
+  const double most = shift_ / glm::length(ray.direction);
+  std::size_t kept = first;
+  for (std::size_t k = first; k < crossings.size(); ++k) {
+    Crossing crossing = crossings[k];
+    if (const auto place = coincident_.place(leaf, crossing.piece);
+        place.surface != CoincidentSurfaces::none) {
+      crossing.t = coincident_.passage(place.surface, ray, crossing.t, crossing.entering, most);
+    }
+    if (kept > first && crossing.t < crossings[kept - 1].t) {
+      --kept;
+    } else {
+      crossings[kept++] = crossing;
+    }
+  }
+  crossings.resize(kept);
+}
 
 // Adds the leaf's crossings from `begin` on to the events, and sets the side it is on before.
 void Solid::add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const {
   const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
   bool inside = leaves_.cross_local(leaf, ray, scratch.crossings_);
+  if (coincident_.any()) {
+    settle(ray, leaf, first, scratch.crossings_);
+  }
   for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
     const double t = scratch.crossings_[k].t;
     if (t < begin) {
@@ -120,6 +158,7 @@ void Solid::pass_group(Scratch& scratch, std::size_t begin, std::size_t end) con
   scratch.boundaries.push_back({.t = crossing.t,
                                 .leaf = best->leaf,
                                 .face = crossing.face,
+                                .piece = crossing.piece,
                                 .entering = state.inside(),
                                 .subtracted = paths_.subtracted(best->leaf),
                                 .normal = crossing.normal});
@@ -133,6 +172,7 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
     for (const Crossing& crossing : scratch.crossings_) {
       scratch.boundaries.push_back({.t = crossing.t,
                                     .face = crossing.face,
+                                    .piece = crossing.piece,
                                     .entering = crossing.entering,
                                     .normal = crossing.normal});
     }
@@ -184,17 +224,21 @@ std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
   scratch.events_.clear();
   scratch.ray_ = ray;
   scratch.length_ = group_length(ray);
+  scratch.shift_ = shift_ / glm::length(ray.direction);
   scratch.wanted_ = {.begin = begin, .end = end};
   scratch.known_ = {.begin = begin - groups_behind * scratch.length_,
                     .end = end + 2.0 * scratch.length_};
+  // Where a crossing may be before it is moved.
+  const Interval near{.begin = scratch.known_.begin - scratch.shift_,
+                      .end = scratch.known_.end + scratch.shift_};
   if (lone()) {
     leaves_.cross_local(0, ray, scratch.crossings_);
     scratch.passed_ = 0;
-  } else if (LineClip(ray)(bounds_, scratch.known_).empty()) {
+  } else if (LineClip(ray)(bounds_, near).empty()) {
     return std::nullopt;
   } else {
     scratch.state_.start(paths_);
-    scratch.search_.start(index_, ray, scratch.known_);
+    scratch.search_.start(index_, ray, near);
   }
   return next(scratch);
 }
@@ -209,6 +253,7 @@ std::optional<Boundary> Solid::next_of_lone(Scratch& scratch) const {
     if (crossing.t > scratch.wanted_.begin && crossing.t < scratch.wanted_.end) {
       return Boundary{.t = crossing.t,
                       .face = crossing.face,
+                      .piece = crossing.piece,
                       .entering = crossing.entering,
                       .normal = crossing.normal};
     }
@@ -222,7 +267,9 @@ std::optional<Boundary> Solid::next_of_tree(Scratch& scratch) const {
   std::vector<Scratch::Event>& events = scratch.events_;
   const double length = scratch.length_;
   for (;;) {
-    const auto needed = [&] { return events.empty() ? infinity : events.front().t + 2.0 * length; };
+    const auto needed = [&] {
+      return events.empty() ? infinity : events.front().t + 2.0 * length + scratch.shift_;
+    };
     while (const std::optional<std::uint32_t> leaf = scratch.search_.next(needed())) {
       const std::size_t known = events.size();
       add_leaf(scratch.ray_, *leaf, scratch.known_.begin, scratch);

@@ -10,6 +10,7 @@
 #include "csg/packed_leaves.hpp"
 #include "csg/tree.hpp"
 #include "geometry/bounds.hpp"
+#include "geometry/coincident_surfaces.hpp"
 #include "geometry/crossing.hpp"
 #include "geometry/line_clip.hpp"
 #include "geometry/ray.hpp"
@@ -22,6 +23,7 @@ struct Boundary {
   double t = 0.0;           ///< in units of the ray's direction
   std::uint32_t leaf = 0;   ///< the responsible leaf, an index into the tree's `leaves()`
   std::uint32_t face = 0;   ///< of that leaf, from 0
+  std::uint32_t piece = 0;  ///< of its surface, as `Crossing::piece`
   bool entering = true;     ///< does the line go into the solid here?
   bool subtracted = false;  ///< does the leaf's solid lie on the outer side?
   glm::dvec3 normal{0.0};   ///< of the leaf's shape, in the shape's frame; see `Solid::normal`
@@ -30,10 +32,11 @@ struct Boundary {
 /// The boundary of a CSG tree, for rays. A lone shape is a tree of one leaf.
 ///
 /// Evaluated by events on the whole line (docs/design.md, Rays through CSG): the crossings of all
-/// leaves that the line comes by where they matter are sorted and those within the tolerance of a
-/// group's first are taken as one point; the leaves they belong to change sides, the change goes up
-/// the tree, and where the root changes a boundary is reported. Coincident faces therefore leave no
-/// skin, and what is thinner than the tolerance along the line is not met (Coincident surfaces). Of
+/// leaves that the line comes by where they matter are sorted; the leaves they belong to change
+/// sides, the change goes up the tree, and where the root changes a boundary is reported. Crossings
+/// of faces that coincide are at one place, where the line passes through the surface that they
+/// share, whatever the line's direction (Coincident surfaces): they leave no skin. Crossings at one
+/// place, but for rounding, are a group, whose leaves change sides at once. Of
 /// the leaves in a group, those are responsible that changed across the group together with all
 /// their ancestors; the boundary is the one with the least (is subtracted, surface id) among them,
 /// whatever the operands' order.
@@ -42,8 +45,7 @@ class Solid {
   /// Buffers that a thread reuses from ray to ray, for any solids.
   struct Scratch;
 
-  /// Crossings closer than 1e-7 of the half diagonal of the leaves' bounds are one point. Throws
-  /// `std::invalid_argument` as `CsgTree::require_complete` does.
+  /// Throws `std::invalid_argument` as `CsgTree::require_complete` does.
   explicit Solid(CsgTree tree);
 
   /// Sets `scratch.boundaries` to all passages through the boundary along the whole line, in
@@ -77,13 +79,16 @@ class Solid {
  private:
   bool lone() const noexcept { return tree_.leaves().size() == 1 && tree_.nodes().size() == 1; }
   double group_length(const Ray& ray) const;
+  void settle(const Ray& ray, std::uint32_t leaf, std::size_t first, Crossings& crossings) const;
   void add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const;
   std::optional<Boundary> next_of_lone(Scratch& scratch) const;
   std::optional<Boundary> next_of_tree(Scratch& scratch) const;
   void pass_group(Scratch& scratch, std::size_t begin, std::size_t end) const;
 
   CsgTree tree_;
-  double tolerance_ = 0.0;  // in scene units
+  double extent_ = 1.0;  // of the coordinates of leaves that are bounded
+  double shift_ = 0.0;   // by how much a crossing may be moved onto a surface, in scene units
+  CoincidentSurfaces coincident_;
   Bounds bounds_;
   PackedLeaves leaves_;
   HeavyPaths paths_;
@@ -110,6 +115,7 @@ struct Solid::Scratch {
   // From `first` on.
   Ray ray_;
   double length_ = 0.0;  // of a group
+  double shift_ = 0.0;   // of a crossing, at most
   Interval wanted_;
   Interval known_;          // where crossings are looked for
   std::size_t passed_ = 0;  // crossings of a lone shape

@@ -102,6 +102,7 @@ bool cross(const Capsule& capsule, const Ray& ray, Crossings& out) {
                                                              : ball_normal(bottom, point);
     out.push_back({.t = nearest + end.s,
                    .normal = facing(normal, chord.direction, entering),
+                   .piece = static_cast<std::uint32_t>(end.part),
                    .entering = entering});
   }
   return false;

@@ -119,6 +119,9 @@ class Table {
             .reversed = face_apart(known_[found].surface, surface)};
   }
 
+  const Surface& operator[](std::uint32_t known) const { return known_[known].surface; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(known_.size()); }
+
  private:
   // A known surface in a cell, with enough of its key to pass by most without looking at them.
   struct Entry {
@@ -312,12 +315,24 @@ void CoincidentSurfaces::add_pieces(const Bounds& where) {
   }
 }
 
+double CoincidentSurfaces::passage(std::uint32_t surface, const Ray& ray, double t, bool inwards,
+                                   double most) const {
+  const Ray line{.origin = ray.origin - middle_, .direction = ray.direction};
+  const auto* plane = std::get_if<Plane>(&shape_[surface]);
+  const double found =
+      plane != nullptr ? plane->passage(line)
+                       : std::get_if<CurvedSurface>(&shape_[surface])->passage(line, t, inwards);
+  return std::abs(found - t) <= most ? found : t;
+}
+
 void CoincidentSurfaces::find() {
   std::ranges::sort(pieces_, [](const Piece& a, const Piece& b) {
     return std::tuple(-a.extent, a.part, a.piece) < std::tuple(-b.extent, b.part, b.piece);
   });
   struct Surface {
     std::uint32_t part = 0;  // of its largest piece
+    bool planar = true;
+    std::uint32_t known = 0;  // by its table
     bool shared = false;
     std::uint32_t number = none;
   };
@@ -332,7 +347,9 @@ void CoincidentSurfaces::find() {
     const Place place = piece.planar ? planes.join(piece.plane, piece, next)
                                      : curved.join(piece.curved, piece, next);
     if (place.surface == next) {
-      surfaces.push_back({.part = pieces_[i].part});
+      surfaces.push_back({.part = pieces_[i].part,
+                          .planar = piece.planar,
+                          .known = (piece.planar ? planes.size() : curved.size()) - 1});
     }
     Surface& surface = surfaces[place.surface];
     surface.shared = surface.shared || surface.part != pieces_[i].part || place.reversed;
@@ -340,7 +357,12 @@ void CoincidentSurfaces::find() {
   }
   for (Surface& surface : surfaces) {
     if (surface.shared) {
-      surface.number = surfaces_++;
+      surface.number = static_cast<std::uint32_t>(shape_.size());
+      if (surface.planar) {
+        shape_.emplace_back(planes[surface.known]);
+      } else {
+        shape_.emplace_back(curved[surface.known]);
+      }
     }
   }
   first_place_.assign(any() ? parts_.size() : 0, nowhere);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -9,10 +10,10 @@
 #include "geometry/bounds.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/placed_shape.hpp"
+#include "geometry/ray.hpp"
+#include "geometry/surface_piece.hpp"
 
 namespace raycat {
-
-struct SurfacePiece;
 
 /// How far apart two surfaces within `whole` may be and still count as one, in scene units: 1e-7
 /// of its half diagonal, but no less than coordinates so far from the origin are rounded by.
@@ -54,9 +55,14 @@ class CoincidentSurfaces {
 
   /// Is anything shared: does a surface hold pieces of two parts, or of one part that face opposite
   /// ways, where it is thinner than the tolerance?
-  bool any() const noexcept { return surfaces_ > 0; }
+  bool any() const noexcept { return !shape_.empty(); }
 
-  std::uint32_t surfaces() const noexcept { return surfaces_; }
+  std::uint32_t surfaces() const noexcept { return static_cast<std::uint32_t>(shape_.size()); }
+
+  /// Where the line passes through the surface, the same for each of its pieces: next to `t`, where
+  /// it passes through one, `inwards` (of a curved surface) or not. `t` if that is farther than
+  /// `most` from it, as where the line only grazes the surface or the piece.
+  double passage(std::uint32_t surface, const Ray& ray, double t, bool inwards, double most) const;
 
   Place place(std::uint32_t part, std::uint32_t piece) const noexcept {
     if (part >= first_place_.size() || first_place_[part] == nowhere) {
@@ -89,7 +95,7 @@ class CoincidentSurfaces {
   unsigned levels_ = 0;        // on which they are looked up, a bit each
   std::vector<Place> places_;  // part by part, those parts that share anything
   std::vector<std::size_t> first_place_;
-  std::uint32_t surfaces_ = 0;
+  std::vector<std::variant<Plane, CurvedSurface>> shape_;  // of each surface
 };
 
 }  // namespace raycat

@@ -12,7 +12,10 @@ struct Crossing {
   double t = 0.0;          ///< ray parameter, in units of the ray's direction
   glm::dvec3 normal{0.0};  ///< points out of the solid; of any positive length
   std::uint32_t face = 0;  ///< which face of the shape, from 0
-  bool entering = true;    ///< does the line go into the solid here as t grows?
+  /// Which piece of its surface: a mesh's triangle; a capsule's side (0), lower (1) or upper ball
+  /// (2); of other shapes the face.
+  std::uint32_t piece = 0;
+  bool entering = true;  ///< does the line go into the solid here as t grows?
 
   bool operator==(const Crossing&) const = default;
 };

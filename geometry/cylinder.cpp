@@ -10,20 +10,29 @@ namespace {
 constexpr std::uint32_t side = 0;
 constexpr std::uint32_t bottom = 1;
 
-Crossing crossing(const Cylinder& cylinder, const Frustum& frustum, FrustumPart part,
-                  const glm::dvec3& point) noexcept {
+// The apex of a cone is part of its side.
+std::uint32_t face_of(const Cylinder& cylinder, FrustumPart part) noexcept {
   switch (part) {
     case FrustumPart::bottom:
-      // The apex of a cone is part of its side.
-      return {.normal{0.0, -1.0, 0.0}, .face = cylinder.radius_bottom > 0.0 ? bottom : side};
-    case FrustumPart::top: {
-      const std::uint32_t top = cylinder.radius_bottom > 0.0 ? 2 : 1;
-      return {.normal{0.0, 1.0, 0.0}, .face = cylinder.radius_top > 0.0 ? top : side};
-    }
+      return cylinder.radius_bottom > 0.0 ? bottom : side;
+    case FrustumPart::top:
+      return cylinder.radius_top > 0.0 ? (cylinder.radius_bottom > 0.0 ? 2 : 1) : side;
     case FrustumPart::side:
       break;
   }
-  return {.normal = frustum.side_normal(point), .face = side};
+  return side;
+}
+
+glm::dvec3 normal_of(const Frustum& frustum, FrustumPart part, const glm::dvec3& point) noexcept {
+  switch (part) {
+    case FrustumPart::bottom:
+      return {0.0, -1.0, 0.0};
+    case FrustumPart::top:
+      return {0.0, 1.0, 0.0};
+    case FrustumPart::side:
+      break;
+  }
+  return frustum.side_normal(point);
 }
 
 }  // namespace
@@ -43,15 +52,17 @@ bool cross(const Cylinder& cylinder, const Ray& ray, Crossings& out) {
   if (!(nearest + within.in < nearest + within.out)) {
     return false;
   }
-  Crossing in = crossing(cylinder, frustum, within.in_part, near + within.in * direction);
-  in.t = nearest + within.in;
-  in.normal = facing(in.normal, direction, true);
-  out.push_back(in);
-  Crossing leave = crossing(cylinder, frustum, within.out_part, near + within.out * direction);
-  leave.t = nearest + within.out;
-  leave.normal = facing(leave.normal, direction, false);
-  leave.entering = false;
-  out.push_back(leave);
+  for (const bool entering : {true, false}) {
+    const double at = entering ? within.in : within.out;
+    const FrustumPart part = entering ? within.in_part : within.out_part;
+    const std::uint32_t face = face_of(cylinder, part);
+    const glm::dvec3 normal = normal_of(frustum, part, near + at * direction);
+    out.push_back({.t = nearest + at,
+                   .normal = facing(normal, direction, entering),
+                   .face = face,
+                   .piece = face,
+                   .entering = entering});
+  }
   return false;
 }
 

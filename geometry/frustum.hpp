@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <glm/vec3.hpp>
@@ -28,7 +29,8 @@ Frustum side_of(const Cylinder& cylinder) noexcept;
 /// holds the other.
 std::optional<Frustum> side_of(const Capsule& capsule) noexcept;
 
-enum class FrustumPart { side, bottom, top };
+/// In the order of a capsule's pieces.
+enum class FrustumPart : std::uint8_t { side, bottom, top };
 
 /// The part of a line within a frustum, in units of its direction.
 struct FrustumSpan {

@@ -42,6 +42,7 @@ void emit_boundary(const TriangleIndex& index, const TriangleIndex::Passages& pa
     out.push_back({.t = passed.t_shift + passages[begin].t,
                    .normal = index.outward_normal(*widest, passed.near.direction),
                    .face = mesh.faces[widest->triangle],
+                   .piece = widest->triangle,
                    .entering = is_inside});
   }
   assert(winding == 0);

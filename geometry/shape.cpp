@@ -172,8 +172,10 @@ bool cross(const Box& box, const Ray& ray, Crossings& out) {
   const double out_side = std::copysign(1.0, ray.direction[out_axis]);
   in.normal[in_axis] = in_side;
   in.face = static_cast<std::uint32_t>(2 * in_axis + (in_side > 0.0 ? 1 : 0));
+  in.piece = in.face;
   leave.normal[out_axis] = out_side;
   leave.face = static_cast<std::uint32_t>(2 * out_axis + (out_side > 0.0 ? 1 : 0));
+  leave.piece = leave.face;
   out.push_back(in);
   out.push_back(leave);
   return false;

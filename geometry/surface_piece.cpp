@@ -218,6 +218,10 @@ double Plane::distance(const glm::dvec3& point) const noexcept {
   return std::abs(glm::dot(normal, point) - offset);
 }
 
+double Plane::passage(const Ray& line) const noexcept {
+  return (offset - glm::dot(normal, line.origin)) / glm::dot(normal, line.direction);
+}
+
 double CurvedSurface::distance(const glm::dvec3& point) const noexcept {
   const glm::dvec3 p = inverse * (point - origin);
   double value = 0.0;
@@ -250,6 +254,42 @@ double CurvedSurface::distance(const glm::dvec3& point) const noexcept {
     }
   }
   return std::abs(value) / glm::length(gradient * inverse);
+}
+
+double CurvedSurface::passage(const Ray& line, double t, bool inwards) const {
+  const Ray local{.origin = inverse * (line.origin - origin),
+                  .direction = inverse * line.direction};
+  if (kind == Kind::torus) {
+    thread_local Crossings crossings;
+    crossings.clear();
+    cross(Torus{.radius = radius, .tube = other}, local, crossings);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Crossing& crossing : crossings) {
+      if (crossing.entering == inwards && std::abs(crossing.t - t) < std::abs(nearest - t)) {
+        nearest = crossing.t;
+      }
+    }
+    return nearest;
+  }
+  // From the point next to the middle of a ball, or to the axis' foot of a cone, a point at s is
+  // within where a s^2 + 2 b s + c is negative.
+  const bool ball = kind == Kind::ball;
+  const glm::dvec3 centre(0.0, ball ? other : 0.0, 0.0);
+  const glm::dvec3& d = local.direction;
+  const double shift = -glm::dot(local.origin - centre, d) / glm::dot(d, d);
+  const glm::dvec3 p = local.at(shift) - centre;
+  const double slope = ball ? 0.0 : other;
+  const double r = radius + slope * p.y;
+  const double m = slope * d.y;
+  const double up = ball ? 1.0 : 0.0;
+  const double a = d.x * d.x + d.z * d.z + up * d.y * d.y - m * m;
+  const double b = p.x * d.x + p.z * d.z + up * p.y * d.y - r * m;
+  const double c = p.x * p.x + p.z * p.z + up * p.y * p.y - r * r;
+  const double root = std::sqrt(b * b - a * c);  // not a number if the line passes by
+  // The passage inwards is (-b - root) / a, whatever the sign of a.
+  const double s =
+      inwards == (b >= 0.0) ? -(b + std::copysign(root, b)) / a : c / -(b + std::copysign(root, b));
+  return shift + s;
 }
 
 std::uint32_t piece_count(const Shape& shape) {

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh.hpp"
 #include "geometry/placed_shape.hpp"
+#include "geometry/ray.hpp"
 
 namespace raycat {
 
@@ -20,6 +21,9 @@ struct Plane {
   double offset = 0.0;
 
   double distance(const glm::dvec3& point) const noexcept;
+
+  /// Where the line passes through it; not finite if it never does.
+  double passage(const Ray& line) const noexcept;
 };
 
 /// The image of a surface of revolution around Y.
@@ -42,6 +46,10 @@ struct CurvedSurface {
 
   /// To first order: |f| / |grad f|, with the f that is a distance in the surface's own frame.
   double distance(const glm::dvec3& point) const noexcept;
+
+  /// Where the line passes through it inwards or outwards, next to `t`; not finite if it never
+  /// does. Depends on `t` no further.
+  double passage(const Ray& line, double t, bool inwards) const;
 };
 
 /// A piece of a surface, as `CoincidentSurfaces` has them. One is reused from piece to piece.

@@ -222,6 +222,7 @@ void TriangleIndex::cross(const Ray& ray, Crossings& out) const {
     out.push_back({.t = passages.t_shift + passage.t,
                    .normal = outward_normal(passage, ray.direction),
                    .face = mesh_.faces[passage.triangle],
+                   .piece = passage.triangle,
                    .entering = passage.turn > 0});
   }
 }

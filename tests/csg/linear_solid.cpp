@@ -7,11 +7,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "csg/coincident_leaves.hpp"
+
 namespace raycat {
 namespace {
 
-// Of the half diagonal (docs/design.md, Coincident surfaces).
-constexpr double relative_tolerance = 1e-7;
+// As in `Solid`.
+constexpr double rounding = 0x1p-40;
+constexpr double farthest_shift = 1e4;
 
 }  // namespace
 
@@ -48,13 +51,13 @@ LinearSolid::LinearSolid(CsgTree tree) : tree_(std::move(tree)) {
     }
   }
 
-  Bounds all;
-  for (const CsgLeaf& leaf : tree_.leaves()) {
-    if (leaf.shape.bounds().finite()) {
-      all.include(leaf.shape.bounds());
-    }
+  const Bounds all = bounded_leaves(tree_);
+  if (!all.empty()) {
+    const glm::dvec3 farthest = glm::max(glm::abs(all.min), glm::abs(all.max));
+    extent_ = std::max({farthest.x, farthest.y, farthest.z});
   }
-  tolerance_ = relative_tolerance * (all.empty() ? 1.0 : glm::length(all.half_size()));
+  coincident_ = coincident_leaves(tree_);
+  shift_ = farthest_shift * coincidence_tolerance(all);
 }
 
 bool LinearSolid::inside(const Scratch& scratch) const {
@@ -94,6 +97,24 @@ void LinearSolid::gather(const Ray& ray, Scratch& scratch) const {
     const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
     if (shape.cross_local(ray, scratch.crossings_)) {
       toggle(i, scratch);
+    }
+    for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
+      Crossing& crossing = scratch.crossings_[k];
+      const auto place = coincident_.place(i, crossing.piece);
+      if (place.surface != CoincidentSurfaces::none) {
+        crossing.t = coincident_.passage(place.surface, ray, crossing.t, crossing.entering,
+                                         shift_ / glm::length(ray.direction));
+      }
+    }
+    // Two that have changed places are none.
+    for (std::uint32_t k = first; k + 1 < scratch.crossings_.size();) {
+      const auto at = scratch.crossings_.begin() + k;
+      if (at[1].t < at[0].t) {
+        scratch.crossings_.erase(at, at + 2);
+        k = first;
+      } else {
+        ++k;
+      }
     }
     for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
       scratch.events_.push_back({.t = scratch.crossings_[k].t, .leaf = i, .crossing = k});
@@ -143,6 +164,7 @@ void LinearSolid::report_group(std::size_t begin, std::size_t end, Scratch& scra
   scratch.boundaries.push_back({.t = crossing.t,
                                 .leaf = best->leaf,
                                 .face = crossing.face,
+                                .piece = crossing.piece,
                                 .entering = inside(scratch),
                                 .subtracted = gates_[leaf_node_[best->leaf]].subtracted,
                                 .normal = crossing.normal});
@@ -156,6 +178,7 @@ bool LinearSolid::cross(const Ray& ray, Scratch& scratch) const {
     for (const Crossing& crossing : scratch.crossings_) {
       scratch.boundaries.push_back({.t = crossing.t,
                                     .face = crossing.face,
+                                    .piece = crossing.piece,
                                     .entering = crossing.entering,
                                     .normal = crossing.normal});
     }
@@ -168,7 +191,8 @@ bool LinearSolid::cross(const Ray& ray, Scratch& scratch) const {
   gather(ray, scratch);
   const bool starts_inside = inside(scratch);
 
-  const double group_length = tolerance_ / glm::length(ray.direction);
+  const double group_length =
+      rounding * (extent_ + glm::length(ray.origin)) / glm::length(ray.direction);
   for (std::size_t begin = 0; begin < scratch.events_.size();) {
     const double last = scratch.events_[begin].t + group_length;
     std::size_t end = begin + 1;

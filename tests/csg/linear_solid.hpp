@@ -5,6 +5,7 @@
 
 #include "csg/solid.hpp"
 #include "csg/tree.hpp"
+#include "geometry/coincident_surfaces.hpp"
 #include "geometry/crossing.hpp"
 #include "geometry/ray.hpp"
 
@@ -17,8 +18,7 @@ class LinearSolid {
   /// Buffers that a thread reuses from ray to ray, for any solids.
   struct Scratch;
 
-  /// Crossings closer than 1e-7 of the half diagonal of the leaves' bounds are one point. Throws
-  /// `std::invalid_argument` as `CsgTree::require_complete` does.
+  /// Throws `std::invalid_argument` as `CsgTree::require_complete` does.
   explicit LinearSolid(CsgTree tree);
 
   /// Sets `scratch.boundaries` to all passages through the boundary along the whole line, in
@@ -41,7 +41,9 @@ class LinearSolid {
   bool inside(const Scratch& scratch) const;
 
   CsgTree tree_;
-  double tolerance_ = 0.0;   // in scene units
+  double extent_ = 1.0;
+  double shift_ = 0.0;  // in scene units
+  CoincidentSurfaces coincident_{{}, 0.0};
   std::vector<Gate> gates_;  // one a node
   std::vector<std::uint32_t> leaf_node_;
   std::vector<std::uint32_t> true_inputs_;  // of each node while every leaf is false

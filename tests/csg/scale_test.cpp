@@ -136,8 +136,8 @@ Ray any_ray(Random& random) {
 }
 
 bool same(const Boundary& a, const Boundary& b) {
-  return a.t == b.t && a.leaf == b.leaf && a.face == b.face && a.entering == b.entering &&
-         a.subtracted == b.subtracted && a.normal == b.normal;
+  return a.t == b.t && a.leaf == b.leaf && a.face == b.face && a.piece == b.piece &&
+         a.entering == b.entering && a.subtracted == b.subtracted && a.normal == b.normal;
 }
 
 std::vector<Boundary> between(const std::vector<Boundary>& all, double begin, double end) {

@@ -212,7 +212,8 @@ TEST_CASE("a box is crossed by a diagonal at its corners", "[geometry][shape]") 
       crossings(Box{{2.0, 4.0, 6.0}}, {.origin = glm::dvec3(0.0), .direction{0.5, 1.0, 0.25}});
   REQUIRE(out.size() == 2);
   CHECK(out[0] == Crossing{.t = -2.0, .normal{-1.0, 0.0, 0.0}, .face = 0, .entering = true});
-  CHECK(out[1] == Crossing{.t = 2.0, .normal{1.0, 0.0, 0.0}, .face = 1, .entering = false});
+  CHECK(out[1] ==
+        Crossing{.t = 2.0, .normal{1.0, 0.0, 0.0}, .face = 1, .piece = 1, .entering = false});
 }
 
 TEST_CASE("each side of a box has its own face", "[geometry][shape]") {
@@ -229,7 +230,8 @@ TEST_CASE("a line along a cone's axis leaves at the apex, through the side", "[g
   const Ray up{.origin = glm::dvec3(0.0), .direction{0.0, 1.0, 0.0}};
   const Crossings cone = crossings(Cylinder{2.0, 0.0, 1.0}, up);
   REQUIRE(cone.size() == 2);
-  CHECK(cone[0] == Crossing{.t = -1.0, .normal{0.0, -1.0, 0.0}, .face = 1, .entering = true});
+  CHECK(cone[0] ==
+        Crossing{.t = -1.0, .normal{0.0, -1.0, 0.0}, .face = 1, .piece = 1, .entering = true});
   CHECK(cone[1].t == 1.0);
   CHECK(cone[1].face == 0);
   CHECK(cone[1].normal.y > 0.0);
