@@ -70,6 +70,9 @@ class Solid {
                      boundary.face};
   }
 
+  /// Does the leaf's solid lie on the outer side of the boundaries that it makes?
+  bool subtracted(std::uint32_t leaf) const noexcept { return paths_.subtracted(leaf); }
+
   /// A box around the solid, no larger than its operands' boxes make necessary. Infinite sides
   /// if a half-space leaves it unbounded; may be empty.
   const Bounds& bounds() const noexcept { return bounds_; }

@@ -91,7 +91,8 @@ void pass(const Accel::Index::SmallMesh& mesh, const Ray& ray, const Seen& seen)
 void small_mesh_bounds(const RTCBoundsFunctionArguments* args) {
   const Accel::Index& index = index_of(args->geometryUserPtr);
   const MeshInstance* instance = index.small_meshes[args->primID].instance;
-  set_bounds(index, index.mesh_bounds[static_cast<std::size_t>(instance - index.scene.meshes.data())],
+  set_bounds(index,
+             index.mesh_bounds[static_cast<std::size_t>(instance - index.scene.meshes.data())],
              *args->bounds_o);
 }
 
@@ -223,7 +224,9 @@ void Accel::Index::add_meshes() {
     const double error = float_ulp * std::max(greatest(around.min - centre),  //
                                               greatest(around.max - centre));
     if (2.0 * greatest(around.half_size()) >= fewest_steps * error) {
-      needs_double[i] = material_of(scene, instance.material).alpha_cutoff > 0.0f ? 1 : 0;
+      const bool needs = material_of(scene, instance.material).alpha_cutoff > 0.0f ||
+                         !instance.mesh->twins.empty() || layers.any_of_mesh(i);
+      needs_double[i] = needs ? 1 : 0;
       add_mesh(i, instance);
       continue;
     }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "geometry/coincident_twins.hpp"
 #include "tracer/accel_index.hpp"
 #include "tracer/material_at.hpp"
 
@@ -28,10 +29,9 @@ bool opaque(const Material& material) {
          material.alpha_cutoff <= 0.0f;
 }
 
-}  // namespace
-
-std::optional<TriangleMet> meet(const MeshInstance& instance, std::uint32_t triangle,
-                                const Ray& ray) {
+// As `meet`, of one triangle alone.
+std::optional<TriangleMet> meet_plane(const MeshInstance& instance, std::uint32_t triangle,
+                                      const Ray& ray) {
   const TriangleCorners corner = corners(instance, triangle);
   const Ray local = instance.transform.to_local(ray);
   const glm::dvec3 ab = corner.b - corner.a;
@@ -54,8 +54,30 @@ std::optional<TriangleMet> meet(const MeshInstance& instance, std::uint32_t tria
                      .rise = std::abs(facing) / glm::length(gradient),
                      .entering = facing < 0.0,
                      .inside = b >= -outside && c >= -outside && b + c <= 1.0 + outside,
+                     .sheet = false,
                      .barycentric = glm::clamp(glm::dvec2(b, c), 0.0, 1.0),
                      .normal = normal};
+}
+
+}  // namespace
+
+std::optional<TriangleMet> meet(const MeshInstance& instance, std::uint32_t triangle,
+                                const Ray& ray) {
+  const std::vector<std::uint32_t>& twins = instance.mesh->twins;
+  if (twins.empty() || twins[triangle] == no_twin) {
+    return meet_plane(instance, triangle, ray);
+  }
+  if (twins[triangle] < triangle) {
+    return std::nullopt;
+  }
+  std::optional<TriangleMet> met = meet_plane(instance, triangle, ray);
+  if (met && !met->entering) {
+    met = meet_plane(instance, twins[triangle], ray);
+  }
+  if (met) {
+    met->sheet = true;
+  }
+  return met;
 }
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): what `kind_` says is set.
@@ -218,8 +240,8 @@ bool AccelQuery::shade(const TriangleMet& met, LightPassage& out, double near) {
   const glm::vec4 base = base_colour(index_.scene, material, met.point());
   const auto mesh = static_cast<std::size_t>(met.instance - index_.scene.meshes.data());
   if (!masked(material, base) && out.first_of_passage(mesh, met.entering, met.t, near)) {
-    out.through(transmission(index_.scene, material, met.point(), base), material.absorption,
-                met.entering, met.t);
+    out.through(transmission(index_.scene, material, met.point(), base),
+                met.sheet ? glm::vec3(0.0f) : material.absorption, met.entering, met.t);
   }
   return !out.stopped();
 }
@@ -257,6 +279,7 @@ std::optional<Hit> AccelQuery::first() {
              .mesh = &instance,
              .triangle = triangle_.triangle,
              .barycentric = triangle_.barycentric,
+             .sheet = triangle_.sheet,
              .layer = first_layer_};
 }
 

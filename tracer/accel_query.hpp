@@ -19,6 +19,7 @@ struct TriangleMet {
   double rise;  ///< distance from the plane that the ray gains while t grows by 1
   bool entering;
   bool inside;  ///< of the triangle, to the last digits
+  bool sheet;   ///< as `Hit::sheet`
   glm::dvec2 barycentric;
   glm::dvec3 normal;  ///< in the mesh's frame, of any length
 
@@ -35,7 +36,8 @@ struct FloatMet {
   double rise;  ///< as of `TriangleMet`
 };
 
-/// None if the ray lies in the triangle's plane, or along it.
+/// None if the ray lies in the triangle's plane, or along it, and for a copy of another triangle;
+/// of two that are wound opposite ways, the one that faces the ray.
 std::optional<TriangleMet> meet(const MeshInstance& instance, std::uint32_t triangle,
                                 const Ray& ray);
 

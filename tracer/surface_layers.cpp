@@ -1,7 +1,6 @@
 #include "tracer/surface_layers.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <numeric>
 #include <tuple>
 
@@ -10,6 +9,12 @@
 
 namespace raycat {
 namespace {
+
+// More things are not compared one by one.
+constexpr std::size_t most_compared = 4096;
+
+constexpr std::uint32_t nothing = ~std::uint32_t{0};
+constexpr std::uint32_t several = nothing - 1;
 
 // What rays may meet in one place: a solid or a mesh.
 struct Thing {
@@ -23,6 +28,12 @@ Bounds grown(const Bounds& box, double by) {
 
 // Sets `where` of all things, by their order along an axis.
 void find_neighbours(std::vector<Thing>& things, int axis) {
+  if (things.size() > most_compared) {
+    for (Thing& thing : things) {
+      thing.where = thing.box;
+    }
+    return;
+  }
   std::vector<std::uint32_t> order(things.size());
   std::iota(order.begin(), order.end(), 0U);
   std::erase_if(order, [&](std::uint32_t i) { return things[i].box.empty(); });
@@ -93,11 +104,11 @@ std::vector<Member> members_of(const Scene& scene, const std::vector<Thing>& thi
   std::vector<Member> out;
   std::uint32_t part = 0;
   std::uint32_t thing = 0;
-  const auto add = [&](std::uint32_t piece, SurfaceId face, MaterialId material) {
+  const auto add = [&](std::uint32_t piece, bool turned, SurfaceId face, MaterialId material) {
     const CoincidentSurfaces::Place place = surfaces.place(part, piece);
     if (place.surface != CoincidentSurfaces::none) {
       out.push_back({.surface = place.surface,
-                     .reversed = place.reversed,
+                     .reversed = place.reversed != turned,
                      .opaque = opaque(material_of(scene, material)),
                      .face = face,
                      .thing = thing,
@@ -106,12 +117,12 @@ std::vector<Member> members_of(const Scene& scene, const std::vector<Thing>& thi
     }
   };
   for (const SolidObject& object : scene.solids) {
-    for (std::size_t i = 0; i < object.materials.size(); ++i, ++part) {
+    for (std::uint32_t i = 0; i < object.materials.size(); ++i, ++part) {
       const CsgLeaf& leaf = object.solid.tree().leaves()[i];
       const std::uint32_t pieces =
           things[thing].where.empty() ? 0 : piece_count(leaf.shape.shape());
       for (std::uint32_t piece = 0; piece < pieces; ++piece) {
-        add(piece, leaf.first_face, object.materials[i]);
+        add(piece, object.solid.subtracted(i), leaf.first_face, object.materials[i]);
       }
     }
     ++thing;
@@ -120,21 +131,20 @@ std::vector<Member> members_of(const Scene& scene, const std::vector<Thing>& thi
     const TriangleMesh& triangles = mesh.mesh->triangles;
     const std::size_t pieces = things[thing].where.empty() ? 0 : triangles.triangles.size();
     for (std::uint32_t piece = 0; piece < pieces; ++piece) {
-      add(piece,
+      add(piece, false,
           SurfaceId{static_cast<std::uint32_t>(mesh.first_face) + triangles.faces[piece]},
           mesh.material);
     }
     ++part;
     ++thing;
   }
-  std::ranges::sort(out, {}, &Member::order);
-  for (auto first = out.begin(); first != out.end();) {
-    const auto last = std::find_if(
-        first, out.end(), [&](const Member& member) { return member.surface != first->surface; });
-    const bool shared =
-        std::any_of(first, last, [&](const Member& member) { return member.thing != first->thing; });
-    first = shared ? last : out.erase(first, last);
+  std::vector<std::uint32_t> only(surfaces.surfaces(), nothing);  // the thing that has a surface
+  for (const Member& member : out) {
+    std::uint32_t& has = only[member.surface];
+    has = has == nothing || has == member.thing ? member.thing : several;
   }
+  std::erase_if(out, [&](const Member& member) { return only[member.surface] != several; });
+  std::ranges::sort(out, {}, &Member::order);
   return out;
 }
 

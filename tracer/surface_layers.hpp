@@ -23,11 +23,16 @@ class SurfaceLayers {
   double tolerance() const noexcept { return tolerance_; }
 
   SurfaceLayer of_solid(std::size_t solid, const Boundary& boundary) const noexcept {
-    return any() ? layer(leaves_[solid] + boundary.leaf, boundary.face) : SurfaceLayer();
+    return any() ? layer(leaves_[solid] + boundary.leaf, boundary.piece) : SurfaceLayer();
   }
 
   SurfaceLayer of_mesh(std::size_t instance, std::uint32_t triangle) const noexcept {
     return any() ? layer(meshes_ + instance, triangle) : SurfaceLayer();
+  }
+
+  /// Has any of its triangles one?
+  bool any_of_mesh(std::size_t instance) const noexcept {
+    return any() && first_[meshes_ + instance] != none;
   }
 
  private:
