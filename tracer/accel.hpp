@@ -35,12 +35,12 @@ class Accel {
   Accel(const Accel&) = delete;
   Accel& operator=(const Accel&) = delete;
 
-  /// The first surface past t = 0, if there is one. Start rays that leave a surface with
-  /// `leave`.
+  /// The first surface past t = 0, if there is one; back faces of single-sided materials are
+  /// none. Start rays that leave a surface with `leave`.
   std::optional<Hit> closest(const Ray& ray, Solid::Scratch& scratch) const;
 
   /// How much light passes from t = 0 to `t_end`: the product of the k_t of all surfaces
-  /// between, zero behind an opaque one.
+  /// between, zero behind an opaque one, whichever side of it faces the ray.
   glm::vec3 transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch) const;
 
   /// A point by `hit`, on the side that `normal` points to, from which rays do not meet the same

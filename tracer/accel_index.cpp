@@ -90,6 +90,18 @@ void mask_filter(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+// Of single-sided materials, masked or not.
+void back_face_filter(const RTCFilterFunctionNArguments* args) {
+  const auto& index = *static_cast<const Accel::Index*>(args->geometryUserPtr);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const MeshInstance& instance = index.scene.meshes[hit.geomID];
+  if (!faces(instance, hit.primID, query_of(args->context).ray)) {
+    *args->valid = 0;
+  } else if (material_of(index.scene, instance.material).alpha_cutoff > 0.0f) {
+    mask_filter(args);
+  }
+}
+
 void light_filter(const RTCFilterFunctionNArguments* args) {
   const Filtered met(args);
   AccelQuery& query = query_of(args->context);
@@ -190,7 +202,9 @@ void Accel::Index::add_mesh(const MeshInstance& instance) {
                              mesh.triangles.data(), 0, sizeof(glm::uvec3), mesh.triangles.size());
   rtcSetGeometryUserData(geometry, this);
   const Material& material = material_of(scene, instance.material);
-  if (material.alpha_cutoff > 0.0f) {
+  if (material.single_sided) {
+    rtcSetGeometryIntersectFilterFunction(geometry, back_face_filter);
+  } else if (material.alpha_cutoff > 0.0f) {
     rtcSetGeometryIntersectFilterFunction(geometry, mask_filter);
   }
   if (material.alpha_cutoff > 0.0f || material.blend || material.transmission != glm::vec3(0.0f)) {
