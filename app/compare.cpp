@@ -67,6 +67,7 @@ void print_table(const MethodTable& table) {
 void compare(const CompareOptions& options) {
   const ImageSize size = parse_size(options.view.size);
   SceneFile file = load(options.common);
+  file.scene.counted_lights = counted_lights(options.detail);
   const Camera camera = camera_of(file, options.view, size);
   if (!options.common.quiet) {
     warn(file.warnings);

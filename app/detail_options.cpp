@@ -21,9 +21,12 @@ void add_detail(CLI::App& command, DetailOptions& options) {
                   "Levels of the ray tree that categories keep; all by default")
       ->type_name("N")
       ->check(CLI::Range(1, most_levels));
-  add_choice<bool>(command, "--lights", options.detail.lights, {{"on", true}, {"off", false}},
-                   "Do categories tell which lights are visible: on (default) or off")
-      ->type_name("on|off");
+  add_choice<LightDetail>(
+      command, "--lights", options.lights,
+      {{"on", LightDetail::on}, {"off", LightDetail::off}, {"visible", LightDetail::visible}},
+      "Do categories tell which visible lights there are: on (default), where the material lets "
+      "them show, visible, whatever the material, or off")
+      ->type_name("on|off|visible");
   command
       .add_option("--min-weight", options.detail.min_weight,
                   "Categories drop nodes that can only count for less than this in the pixel")
@@ -40,8 +43,13 @@ void add_detail(CLI::App& command, DetailOptions& options) {
       ->type_name("mark|ignore");
 }
 
+CountedLights counted_lights(const DetailOptions& options) {
+  return options.lights == LightDetail::visible ? CountedLights::visible : CountedLights::lighting;
+}
+
 Detail detail_for(const DetailOptions& options, const Scene& scene) {
   Detail detail = options.detail;
+  detail.lights = options.lights != LightDetail::off;
   if (!options.paths) {
     return detail;
   }

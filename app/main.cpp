@@ -93,6 +93,12 @@ void add_common(CLI::App& command, CommonOptions& options) {
                         "Round things of .csg files: openscad (its facets; default) or smooth "
                         "(true spheres, cylinders and cones)")
       ->type_name("KIND");
+  add_choice<BackFaces>(
+      command, "--back-faces", options.load.back_faces,
+      {{"hide", BackFaces::hide}, {"show", BackFaces::show}},
+      "Back faces of meshes that glTF has single-sided and opaque: hide (default) "
+      "or show")
+      ->type_name("hide|show");
   command.add_flag("--keep-going", options.load.keep_going,
                    "Warn of .csg nodes that cannot be made, and read the rest");
   add_limits(command, options.load.limits);

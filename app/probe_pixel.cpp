@@ -177,6 +177,7 @@ void probe_pixel(const ProbeOptions& options, SceneFile file) {
   const ImageSize size = parse_size(options.view.size);
   const Pixel pixel = parse_pixel(options.pixel, size);
   const Camera camera = camera_of(file, options.view, size);
+  file.scene.counted_lights = counted_lights(options.detail);
   const SceneView view(std::move(file), camera);
   const Scene& scene = view.scene();
   const Detail detail = detail_for(options.detail, scene);

@@ -107,6 +107,7 @@ void render(const RenderOptions& options, const CLI::App& command) {
   Stopwatch watch;
   Seconds seconds;
   SceneFile file = load(options.common);
+  file.scene.counted_lights = counted_lights(options.detail);
   const Camera camera = camera_of(file, options.view, size);
   seconds.load = watch.lap();
   if (!options.common.quiet) {

@@ -22,7 +22,7 @@ Json categories_of(const RenderOptions& options, const Rendering& rendering) {
   return {{"method", name(*options.method)},
           {"ids", granularity[static_cast<int>(detail.ids)]},
           {"levels", std::min(options.view.levels, detail.levels)},
-          {"lights", detail.lights},
+          {"lights", options.detail.lights != LightDetail::off},
           {"distinct", rendering.categories.table.size()},
           {"textured_pixels", textured_pixels(rendering.categories)},
           {"overflowed_pixels", overflowed_pixels(rendering)},

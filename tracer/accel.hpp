@@ -40,12 +40,13 @@ class Accel {
   Accel& operator=(const Accel&) = delete;
 
   /// The first surface past t = 0, if there is one: none that the origin is on, but for those that
-  /// a ray that departs from a hit has yet to pass. Start rays that leave a surface with `leave`.
+  /// a ray that departs from a hit has yet to pass, and no back face of a single-sided material.
+  /// Start rays that leave a surface with `leave`.
   std::optional<Hit> closest(const Ray& ray, Solid::Scratch& scratch,
                              const Departure& from = {}) const;
 
   /// How much light passes from t = 0 to `t_end`: the product of the k_t of all surfaces
-  /// between, zero behind an opaque one.
+  /// between, zero behind an opaque one, whichever side of it faces the ray.
   glm::vec3 transmittance(const Ray& ray, double t_end, Solid::Scratch& scratch,
                           const Departure& from = {}) const;
 

@@ -128,12 +128,14 @@ void small_mesh_occluded(const RTCOccludedFunctionNArguments* args) {
 FloatMet filtered(const RTCFilterFunctionNArguments* args, const AccelQuery& query) {
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
   const glm::vec3 normal(hit.Ng_x, hit.Ng_y, hit.Ng_z);
-  const glm::vec3 direction(query.ray().direction);
-  return {.instance = &index_of(args->geometryUserPtr).scene.meshes[hit.geomID],
+  const float gained = glm::dot(normal, glm::vec3(query.ray().direction));
+  const MeshInstance& instance = index_of(args->geometryUserPtr).scene.meshes[hit.geomID];
+  return {.instance = &instance,
           .triangle = hit.primID,
           .t = query.embree_start +
                static_cast<double>(reinterpret_cast<const RTCRay*>(args->ray)->tfar),
-          .rise = static_cast<double>(std::abs(glm::dot(normal, direction)) / glm::length(normal))};
+          .rise = static_cast<double>(std::abs(gained) / glm::length(normal)),
+          .entering = (gained < 0.0f) != instance.transform.mirrored()};
 }
 
 void first_filter(const RTCFilterFunctionNArguments* args) {

@@ -19,6 +19,9 @@ constexpr auto float_ulp_up = static_cast<float>(float_ulp);
 // By which a point may lie outside of a triangle, of barycentric coordinates' rounding.
 constexpr double outside = 1e-12;
 
+// Of rays and planes: at less, double precision tells which side is met.
+constexpr double least_slope = 1e-3;
+
 bool masked(const Material& material, const glm::vec4& base) {
   return material.alpha_cutoff > 0.0f && material.alpha * base.a < material.alpha_cutoff;
 }
@@ -168,6 +171,9 @@ bool AccelQuery::offer(const TriangleMet& met) {
     return false;
   }
   const Material& material = material_of(index_.scene, met.instance->material);
+  if (material.single_sided && !met.entering) {
+    return false;
+  }
   if (material.alpha_cutoff > 0.0f &&
       masked(material, base_colour(index_.scene, material, met.point()))) {
     return false;
@@ -180,9 +186,10 @@ bool AccelQuery::offer(const TriangleMet& met) {
   return true;
 }
 
-// Does nothing but the distance decide whether the triangle is met?
+// Does nothing but its distance, and the side it is seen from, decide whether the triangle is met?
 bool AccelQuery::plain(const FloatMet& met) const {
   return met.t * met.t * length2_ > index_.near2 && met.t > 0.0 &&
+         met.rise * met.rise > least_slope * least_slope * length2_ &&
          !index_.needs_double[static_cast<std::size_t>(met.instance - index_.scene.meshes.data())];
 }
 
@@ -190,6 +197,9 @@ bool AccelQuery::offer(const FloatMet& met) {
   // What Embree finds of a triangle is wrong by up to `padding` across its plane.
   const double wrong = 2.0 * index_.padding / met.rise;
   if (plain(met)) {
+    if (!met.entering && material_of(index_.scene, met.instance->material).single_sided) {
+      return false;
+    }
     if (met.t - wrong > t_end_ + slack_) {
       return false;
     }

@@ -33,7 +33,8 @@ struct FloatMet {
   const MeshInstance* instance;
   std::uint32_t triangle;
   double t;
-  double rise;  ///< as of `TriangleMet`
+  double rise;    ///< as of `TriangleMet`
+  bool entering;  ///< wrong at most where the ray nearly goes along the plane
 };
 
 /// None if the ray lies in the triangle's plane, or along it, and for a copy of another triangle;

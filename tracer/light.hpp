@@ -7,6 +7,12 @@
 
 namespace raycat {
 
+/// Which lights count as those that reach a surface.
+enum class CountedLights {
+  lighting,  ///< visible ones, where the material's factors let them contribute to eq. (1)
+  visible    ///< all visible ones, as the paper has it
+};
+
 /// A light source of eq. (1): L_d and L_s are linear RGB.
 struct Light {
   enum class Kind { point, directional, spot };

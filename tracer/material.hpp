@@ -70,6 +70,10 @@ struct Material {
   float alpha = 1.0f;
   /// alphaMode MASK: where alpha is below, there is no surface. 0 is no mask.
   float alpha_cutoff = 0.0f;
+
+  /// Meshes are seen from outside alone: rays that look for what is seen pass their back faces,
+  /// shadow rays do not. Solids have no back faces. Only of what lets no light through.
+  bool single_sided = false;
 };
 
 }  // namespace raycat

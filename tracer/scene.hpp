@@ -41,7 +41,8 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   glm::vec3 background{0.8f, 0.85f, 0.9f};
-  glm::vec3 ambient_light{0.2f};  ///< S_a
+  glm::vec3 ambient_light{0.2f};                           ///< S_a
+  CountedLights counted_lights = CountedLights::lighting;  ///< by the nodes of ray trees
 };
 
 inline const Material& material_of(const Scene& scene, MaterialId id) {

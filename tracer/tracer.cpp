@@ -6,6 +6,7 @@
 #include <glm/gtx/component_wise.hpp>
 
 #include "tracer/material_at.hpp"
+#include "tracer/pbr.hpp"
 
 namespace raycat {
 namespace {
@@ -110,12 +111,12 @@ class Shader {
     const glm::vec3 base = varied_ ? glm::vec3(1.0f) : glm::vec3(base_);
     const glm::vec3 tint = material_.textured_emission ? base : glm::vec3(1.0f);
     out.colour = here().emission * tint + here().ambient * base * scene_.ambient_light;
-    if (!scene_.lights.empty()) {
+    if (!scene_.lights.empty() && counts_lights()) {
       lift();
-    }
-    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-      if (add(scene_.lights[i], base, out.colour)) {
-        out.lights |= LightMask{1} << i;
+      for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+        if (add(scene_.lights[i], base, out.colour)) {
+          out.lights |= LightMask{1} << i;
+        }
       }
     }
     if (material_.blend) {
@@ -124,6 +125,9 @@ class Shader {
   }
 
   bool reached_by(const Light& light) {
+    if (!counts_lights()) {
+      return false;
+    }
     lift();
     glm::vec3 colour(0.0f);
     return add(light, glm::vec3(1.0f), colour);
@@ -156,6 +160,26 @@ class Shader {
  private:
   /// The constants here. What exists and what does not, the material's factors say.
   const Material& here() const { return varied_ ? *varied_ : material_; }
+
+  bool counts_lights() const {
+    return scene_.counted_lights == CountedLights::visible || shows_lights();
+  }
+
+  // Is O_d or O_s anything but zero, by the factors? One of metal or transmission that a texture
+  // is multiplied with says no more than that the texture tells where it is.
+  bool shows_lights() const {
+    if (material_.blend && material_.alpha == 0.0f) {
+      return false;
+    }
+    if (material_.diffuse != black || material_.specular != black || !varied_) {
+      return material_.diffuse != black || material_.specular != black;
+    }
+    Pbr least = material_.varying->factors;
+    least.metallic = material_.varying->metallic_roughness ? 0.0 : least.metallic;
+    least.transmission = material_.varying->transmission ? 0.0 : least.transmission;
+    const Material most = whitted(least);
+    return most.diffuse != black || most.specular != black;
+  }
 
   MeshPoint point() const {
     return {.mesh = *hit_.mesh->mesh, .triangle = hit_.triangle, .barycentric = hit_.barycentric};

@@ -43,7 +43,7 @@ struct ChildRay : Ray {
 /// Eq. (1) at one hit, but for the light that child rays bring.
 struct Shading {
   glm::vec3 colour{0.0f};  ///< O_e + O_a S_a + the sum over visible lights
-  LightMask lights = 0;    ///< those that are visible
+  LightMask lights = 0;    ///< those that count
 
   std::optional<ChildRay> refraction;  ///< where the material has one
   std::optional<ChildRay> reflection;
@@ -59,9 +59,11 @@ struct Shading {
 ///
 /// A light is visible if it lies in front of the surface, its cone and range take in the point
 /// and no opaque surface is between; through transmissive ones it shines weakened by their k_t.
-/// Surfaces are lit from the side they are seen from. Whether there are child rays depends on
-/// the material's factors alone, and on total internal reflection, which sends what could not
-/// be refracted with the reflected ray.
+/// Surfaces are lit from the side they are seen from. Which visible lights count says
+/// `Scene::counted_lights`; whether O_d and O_s are zero, the material's factors, of which those of
+/// metal and transmission may be less where a texture is multiplied with them. Whether there are
+/// child rays depends on the factors alone, and on total internal reflection, which sends what
+/// could not be refracted with the reflected ray.
 Shading shade(const Accel& accel, const Ray& ray, const Hit& hit, const Media& media, bool spawn,
               TraceScratch& scratch);
 
@@ -69,7 +71,7 @@ Shading shade(const Accel& accel, const Ray& ray, const Hit& hit, const Media& m
 Shading spawn(const Accel& accel, const Ray& ray, const Hit& hit, const Media& media,
               TraceScratch& scratch);
 
-/// Is one light, by number, visible at the hit, as `shade` has it?
+/// Does one light, by number, count at the hit, as `shade` has it?
 bool reaches(const Accel& accel, const Ray& ray, const Hit& hit, std::size_t light,
              TraceScratch& scratch);
 

@@ -63,7 +63,9 @@ Json material_json(const Material& material, std::vector<std::string>& extension
       extensions.emplace_back(extension);
     }
   };
-  Json out{{"name", material.name}, {"pbrMetallicRoughness", pbr_json(material)}};
+  Json out{{"name", material.name},
+           {"doubleSided", !material.single_sided},
+           {"pbrMetallicRoughness", pbr_json(material)}};
   if (glm::compMax(material.emission) > 0.0f) {
     out["emissiveFactor"] = colour_json(glm::clamp(material.emission, 0.0f, 1.0f));
   }

@@ -309,18 +309,24 @@ std::vector<bool> with_vertex_colours(const tinygltf::Model& model) {
 
 }  // namespace
 
-std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures) {
+std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures,
+                                         BackFaces back_faces) {
   const std::vector<bool> coloured = with_vertex_colours(document.model);
   std::vector<GltfMaterial> materials;
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
-    materials.push_back(read_material(document, i, coloured[i], textures));
+    GltfMaterial& read = materials.emplace_back(read_material(document, i, coloured[i], textures));
+    // What lets light through has an inside, which shows its back faces.
+    read.material.single_sided = back_faces == BackFaces::hide &&
+                                 !document.model.materials[i].doubleSided && !read.material.blend &&
+                                 read.material.transmission == glm::vec3(0.0f);
   }
   return materials;
 }
 
-Material default_material() {
+Material default_material(BackFaces back_faces) {
   Material material = whitted({.base = glm::dvec3(0.8), .metallic = 0.0, .roughness = 1.0});
   material.name = "default";
+  material.single_sided = back_faces == BackFaces::hide;
   return material;
 }
 

@@ -4,6 +4,7 @@
 
 #include "io/gltf/document.hpp"
 #include "io/gltf/textures.hpp"
+#include "io/scene/scene_file.hpp"
 #include "tracer/material.hpp"
 
 namespace raycat {
@@ -18,9 +19,10 @@ struct GltfMaterial {
 /// The materials of a document, their images decoded into the textures. Throws `LoadError` for
 /// extensions and extras of the wrong type, and unknown keys in `whitted`. glTF's factors are
 /// brought into their ranges, with a warning.
-std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures);
+std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures,
+                                         BackFaces back_faces);
 
 /// What glTF says of primitives without a material, and of shapes: rough and white.
-Material default_material();
+Material default_material(BackFaces back_faces);
 
 }  // namespace raycat

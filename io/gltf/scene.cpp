@@ -35,7 +35,7 @@ class SceneReader {
         first_(first),
         assembly_(file),
         textures_(document_, assembly_.out.scene.textures, assets.budget()),
-        materials_(read_materials(document_, textures_)),
+        materials_(read_materials(document_, textures_, assets.options().back_faces)),
         meshes_(document_, materials_, assets.options(), textures_, assets.budget()),
         colliders_(document_),
         node_meshes_(document_, meshes_, nodes_, assets.budget()) {
@@ -143,7 +143,7 @@ class SceneReader {
     if (!default_material_) {
       auto& materials = assembly_.out.scene.materials;
       default_material_ = static_cast<MaterialId>(materials.size());
-      materials.push_back(default_material());
+      materials.push_back(default_material(assets_.options().back_faces));
     }
     return *default_material_;
   }

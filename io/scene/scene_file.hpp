@@ -15,11 +15,15 @@ namespace raycat {
 /// How round things of .csg files are traced: in OpenSCAD's facets, or as what they stand for.
 enum class Facetting { openscad, smooth };
 
+/// Are the back faces of opaque materials that glTF has single-sided seen?
+enum class BackFaces { hide, show };
+
 struct LoadOptions {
   FaceRule faces;               ///< how mesh triangles join into faces
   bool join_primitives = true;  ///< of a glTF mesh that continue each other (docs/scene-files.md)
   double exposure = 0.0;        ///< EV: glTF's lights count 2^exposure times
   Facetting facets = Facetting::openscad;
+  BackFaces back_faces = BackFaces::hide;
   LoadLimits limits;           ///< of glTF files
   int threads = 1;             ///< that find faces; these do not depend on it
   std::string scene;           ///< of a glTF file, by name or number; the default scene if empty

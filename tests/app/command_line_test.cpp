@@ -96,6 +96,77 @@ TEST_CASE("less detail makes fewer categories", "[app][render]") {
   CHECK(distinct("--category-levels 1 --lights off --ids object") <= 24);
 }
 
+// A ball on a floor of one material under a lamp, and a single-sided sheet that turns its back to
+// the camera.
+std::string scene_of(const TemporaryFolder& folder, const std::string& material) {
+  const std::string text = R"({"asset":{"version":"2.0"},
+    "extensionsUsed":["KHR_lights_punctual","KHR_materials_unlit"],
+    "extensions":{"KHR_lights_punctual":{"lights":[{"name":"lamp","type":"point"}]}},
+    "scenes":[{"nodes":[0,1,2,3,4]}],
+    "nodes":[{"translation":[0,1,0],"extras":{"shape":{"type":"sphere"},"material":0}},
+             {"extras":{"shape":{"type":"plane"},"material":0}},
+             {"mesh":0,"translation":[1,1,2]},
+             {"translation":[3,6,2],"extensions":{"KHR_lights_punctual":{"light":0}}},
+             {"camera":0,"extras":{"look_at":{"eye":[0,4,8],"target":[0,0,0]}}}],
+    "cameras":[{"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+                  "min":[0,0,0],"max":[1,1,0]}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+                           "AAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAAAAAAAAA"
+                           R"("}],"materials":[{)";
+  return folder.write("scene.gltf", text + material + "}]}");
+}
+
+TEST_CASE("there is no edge of a shadow that is not in the picture", "[app][render]") {
+  const TemporaryFolder folder;
+  const auto render = [&](const std::string& material, const std::string& options) {
+    const Outcome outcome =
+        raycat(fmt::format("render '{}' --size 96x96 --json --edge-classes '{}' {}",
+                           scene_of(folder, material), folder / "classes.png", options));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return Json::parse(outcome.out);
+  };
+  const auto shadow = [&](const std::string& material, const std::string& options) {
+    return render(material, options)["edges"]["classes"]["shadow"].get<int>();
+  };
+  const std::string stone = R"("pbrMetallicRoughness":{"metallicFactor":0})";
+  const std::string unlit = R"("extensions":{"KHR_materials_unlit":{}})";
+  const std::string mirror = R"("extras":{"whitted":{"reflection":0.5}})";
+  const int all = shadow(stone, "");
+  CHECK(all > 50);
+  CHECK(shadow(stone, "--lights visible") == all);
+  CHECK(shadow(unlit, "") == 0);
+  CHECK(shadow(unlit, "--lights visible") == all);
+  CHECK(shadow(mirror, "") == 0);
+  CHECK(shadow(mirror, "--lights visible") > 0);
+  for (const std::string& material : {unlit, mirror}) {
+    CHECK(render(material, "")["edges"] == render(material, "--lights off")["edges"]);
+    CHECK(render(material, "")["rays"]["shadow"] == 0);
+  }
+  CHECK(render(stone, "--lights visible")["categories"]["lights"] == true);
+  CHECK(render(stone, "--lights off")["categories"]["lights"] == false);
+  CHECK(read_file(folder / "classes.png").find("--lights off") != std::string::npos);
+}
+
+TEST_CASE("back faces are hidden, and shown when they are asked for", "[app][render]") {
+  const TemporaryFolder folder;
+  const std::string file = scene_of(folder, R"("pbrMetallicRoughness":{"metallicFactor":0})");
+  const auto objects = [&](const std::string& options) {
+    const Outcome outcome = raycat(fmt::format(
+        "render '{}' --size 96x96 --json --ids object --category-levels 1 {}", file, options));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return Json::parse(outcome.out)["categories"]["distinct"].get<int>();
+  };
+  // The ball and the floor; the sheet.
+  CHECK(objects("--lights off") == 2);
+  CHECK(objects("--lights off --back-faces hide") == 2);
+  CHECK(objects("--lights off --back-faces show") == 3);
+}
+
 TEST_CASE("every method makes a map, and numbers say what overflows", "[app][render]") {
   const auto stats = [](const std::string& method) {
     return Json::parse(

@@ -16,11 +16,12 @@ double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
 }
 
-// Balls, boxes, a ground and squares, all over the place.
+// Balls, boxes, a ground and squares, some of them single-sided or mirrored, all over the place.
 Scene clutter(unsigned seed) {
   std::mt19937 random(seed);
   SceneBuilder builder;
   const MaterialId grey = builder.material({.diffuse = glm::vec3(0.5f)});
+  const MaterialId paper = builder.material({.single_sided = true});
   const auto anywhere = [&] {
     return glm::rotate(at(uniform(random, -3, 3), uniform(random, -1, 3), uniform(random, -3, 3)),
                        uniform(random, 0, 6), glm::dvec3(1, 2, 3));
@@ -29,6 +30,9 @@ Scene clutter(unsigned seed) {
     builder.shape("ball", Sphere{.radius = uniform(random, 0.1, 1)}, anywhere(), grey);
     builder.shape("box", Box{.size = glm::dvec3(uniform(random, 0.2, 1))}, anywhere(), grey);
     builder.mesh("square", square(uniform(random, 0.2, 1)), anywhere(), grey);
+    builder.mesh("sheet", square(uniform(random, 0.2, 1)), anywhere(), paper);
+    builder.mesh("mirrored sheet", square(uniform(random, 0.2, 1)),
+                 glm::scale(anywhere(), glm::dvec3(1, i % 2 == 0 ? 1 : -1, -1)), paper);
   }
   builder.shape("ground", HalfSpace{}, at(0, -1, 0), grey);
   return builder.take();
@@ -52,7 +56,9 @@ Hit brute_force(const Scene& scene, const Ray& ray) {
     const double t = -local.origin.z / local.direction.z;
     const double half = instance.mesh->triangles.positions[2].x;
     const glm::dvec3 p = local.at(t);
-    if (t > 0.0 && t < best.t && std::abs(p.x) < half && std::abs(p.y) < half) {
+    const bool seen = !scene.materials[static_cast<std::size_t>(instance.material)].single_sided ||
+                      local.origin.z > 0.0;
+    if (seen && t > 0.0 && t < best.t && std::abs(p.x) < half && std::abs(p.y) < half) {
       best.t = t;
       best.surface = instance.first_face;
     }
@@ -220,6 +226,80 @@ TEST_CASE("where a mask cuts a texture away there is no surface", "[tracer][acce
   CHECK_FALSE(accel.closest(right, scratch));
   CHECK(accel.transmittance(left, 9, scratch) == glm::vec3(0.0f));
   CHECK(accel.transmittance(right, 9, scratch) == glm::vec3(1.0f));
+}
+
+TEST_CASE("a closed mesh looks the same from outside, single-sided or not", "[tracer][accel]") {
+  const unsigned seed = GENERATE(1u, 2u, 3u, 4u);
+  const auto solid = [&](bool single_sided) {
+    SceneBuilder builder;
+    const MaterialId stone = builder.material({.single_sided = single_sided});
+    SurfaceMesh mesh;
+    mesh.triangles = test::torus(40, 20, 0.2, seed);
+    const glm::dmat4 turned = glm::rotate(at(0.1, 0.2, 0.3), 1.0 * seed, glm::dvec3(1, 2, 3));
+    builder.mesh("torus", mesh, glm::scale(turned, glm::dvec3(1, seed % 2 == 0 ? -1 : 1, 2)),
+                 stone);
+    return builder.take();
+  };
+  const Scene one = solid(true);
+  const Scene both = solid(false);
+  const Accel hides(one);
+  const Accel shows(both);
+  std::mt19937 random(seed);
+  Solid::Scratch scratch;
+  int hits = 0;
+  int wrong = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::dvec3 from =
+        5.0 * glm::normalize(glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1),
+                                        uniform(random, -1, 1)));
+    const glm::dvec3 to(uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2));
+    const Ray ray{.origin = from, .direction = to - from};
+    const auto hidden = hides.closest(ray, scratch);
+    const auto shown = shows.closest(ray, scratch);
+    hits += shown ? 1 : 0;
+    wrong += hidden.has_value() == shown.has_value() &&
+                     (!hidden || (hidden->t == shown->t && hidden->triangle == shown->triangle))
+                 ? 0
+                 : 1;
+  }
+  CHECK(hits > 4000);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("a back face that is not seen stops light all the same", "[tracer][accel]") {
+  SceneBuilder builder;
+  const MaterialId paper = builder.material({.alpha_cutoff = 0.5f, .single_sided = true});
+  builder.mesh("sheet", square(1.0), at(0, 0, 0), paper);
+  const Scene scene = builder.take();
+  const Accel accel(scene);
+  Solid::Scratch scratch;
+  const Ray from_front{.origin = {0.1, 0.2, 3}, .direction = {0, 0, -1}};
+  const Ray from_behind{.origin = {0.1, 0.2, -3}, .direction = {0, 0, 1}};
+  CHECK(accel.closest(from_front, scratch));
+  CHECK_FALSE(accel.closest(from_behind, scratch));
+  CHECK(accel.transmittance(from_front, 9, scratch) == glm::vec3(0.0f));
+  CHECK(accel.transmittance(from_behind, 9, scratch) == glm::vec3(0.0f));
+}
+
+TEST_CASE("behind a back face that is not seen are solids and other meshes", "[tracer][accel]") {
+  SceneBuilder builder;
+  const MaterialId paper = builder.material({.single_sided = true});
+  builder.mesh("sheet", square(1.0), at(0, 0, 1), paper)
+      .mesh("other sheet", square(0.5), at(0, 0, 2), paper)
+      .mesh("turned sheet", square(0.3), glm::scale(at(0, 0, 3), glm::dvec3(1, 1, -1)), paper)
+      .shape("wall", Box{.size = {9, 9, 1}}, at(0, 0, 9), paper);
+  const Scene scene = builder.take();
+  const Accel accel(scene);
+  Solid::Scratch scratch;
+  const auto met = [&](double x) {
+    const auto hit = accel.closest({.origin = {x, 0.1, -5}, .direction = {0, 0, 1}}, scratch);
+    return scene.surfaces.name(scene.surfaces.object(hit.value().surface));
+  };
+  CHECK(met(0.1) == "turned sheet");
+  CHECK(met(0.4) == "wall");
+  CHECK(met(2.0) == "wall");
+  // A solid's inside is seen, whatever the material.
+  CHECK(accel.closest({.origin = {0, 0, 9}, .direction = {0, 0, 1}}, scratch));
 }
 
 TEST_CASE("an empty scene has nothing to hit", "[tracer][accel]") {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "support/scenes.hpp"
+#include "tracer/pbr.hpp"
 
 namespace raycat {
 namespace {
@@ -26,6 +27,7 @@ Traced trace_one(const Scene& scene, const Ray& ray, int levels = 8) {
 }
 
 constexpr double diagonal = 0.70710678118654752;
+constexpr double quarter_turn = 1.5707963267948966;
 
 const Ray down{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
 
@@ -76,6 +78,86 @@ TEST_CASE("a light is visible when it is in front and nothing is between", "[tra
   const Traced traced = trace_one(builder.take(), down);
   REQUIRE(traced.tree.size() == 1);
   CHECK(traced.tree[0].lights == (1u << 0 | 1u << 4 | 1u << 6));
+}
+
+// Does the sun above count where a ray falls on a square of this material?
+bool counts(const Material& material, CountedLights counted = CountedLights::lighting) {
+  SceneBuilder builder;
+  builder.mesh("square", square(1.0), at(0, 0, 0), builder.material(material))
+      .light(sun({0, 0, -1}));
+  Scene scene = builder.take();
+  scene.counted_lights = counted;
+  scene.textures.emplace_back(1, 1, std::vector<std::uint8_t>{0, 0, 0, 0});
+  const Ray ray{.origin = {0.1, 0.2, 5}, .direction = {0, 0, -1}};
+  const Traced traced = trace_one(scene, ray);
+  const bool lit = traced.tree.back().lights == 1;
+  const Accel accel(scene);
+  TraceScratch scratch;
+  CHECK(reaches(accel, ray, *accel.closest(ray, scratch.solid), 0, scratch) == lit);
+  CHECK(traced.rays.shadow == (lit ? 1u : 0u));
+  return lit;
+}
+
+TEST_CASE("a light counts where O_d or O_s lets it contribute", "[tracer][lights]") {
+  const Material unlit{
+      .emission = glm::vec3(1.0f), .ambient = glm::vec3(1.0f), .reflection = glm::vec3(1.0f)};
+  CHECK_FALSE(counts(unlit));
+  CHECK_FALSE(counts({.transmission = glm::vec3(1.0f), .ior = 1.5f}));
+  CHECK(counts(unlit, CountedLights::visible));
+  CHECK(counts({.diffuse = {0.0f, 0.0f, 1e-6f}}));
+  CHECK(counts({.specular = {0.0f, 1e-6f, 0.0f}}));
+  // Nothing is left of what is not there at all.
+  const Material veil{.diffuse = glm::vec3(1.0f), .thin = true, .blend = true, .alpha = 0.5f};
+  Material gone = veil;
+  gone.alpha = 0.0f;
+  CHECK(counts(veil));
+  CHECK_FALSE(counts(gone));
+  CHECK(counts(gone, CountedLights::visible));
+}
+
+TEST_CASE("no texel decides whether a light counts", "[tracer][lights]") {
+  // The texture is black, and its alpha nothing.
+  CHECK(counts({.diffuse = glm::vec3(1.0f), .base_texture = TextureMap{}}));
+  CHECK(counts({.diffuse = glm::vec3(1.0f),
+                .transmission = glm::vec3(1.0f),
+                .thin = true,
+                .base_texture = TextureMap{},
+                .blend = true}));
+  const auto varying = [](VaryingPbr pbr) {
+    Material material = whitted(pbr.factors);
+    material.varying = std::make_shared<const VaryingPbr>(std::move(pbr));
+    return counts(material);
+  };
+  // Black metal is black; where a texture says what is metal, it may be bright plastic.
+  CHECK_FALSE(varying({.factors = {.base = glm::dvec3(0.0)}}));
+  CHECK(varying({.factors = {.base = glm::dvec3(0.0)}, .metallic_roughness = TextureMap{}}));
+  const Pbr clear{.metallic = 0.0, .specular = 0.0, .transmission = 1.0};
+  CHECK_FALSE(varying({.factors = clear}));
+  CHECK(varying({.factors = clear, .transmission = TextureMap{}}));
+}
+
+TEST_CASE("a mirror does not show the backs of what is single-sided, but their shadows",
+          "[tracer][reflection]") {
+  const auto traced = [](bool single_sided) {
+    SceneBuilder builder;
+    const MaterialId mirror =
+        builder.material({.diffuse = glm::vec3(0.5f), .reflection = glm::vec3(1.0f)});
+    const MaterialId paper =
+        builder.material({.emission = {1, 0, 0}, .single_sided = single_sided});
+    // Seen from above, the sheet over the mirror turns its front up.
+    builder.shape("mirror", HalfSpace{}, at(0, 0, 0), mirror)
+        .mesh("sheet", square(1.0), glm::rotate(at(0, 2, 0), -quarter_turn, glm::dvec3(1, 0, 0)),
+              paper)
+        .light(sun({0, -1, 0}));
+    // Below the sheet, down to the mirror and up to the back of the sheet.
+    return trace_one(builder.take(), {.origin = {1.2, 1, 0}, .direction = {-0.5, -1, 0}});
+  };
+  const Traced shown = traced(false);
+  REQUIRE(shown.tree.size() == 2);
+  CHECK(shown.tree[1].lights == 0);
+  const Traced hidden = traced(true);
+  REQUIRE(hidden.tree.size() == 1);
+  CHECK(hidden.tree[0].lights == 0);
 }
 
 // A ball of flat triangles with the normals of a round one.

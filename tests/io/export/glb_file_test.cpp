@@ -160,6 +160,7 @@ TEST_CASE("materials, lights, cameras and surroundings survive", "[io][convert]"
       CHECK(a.materials[i].reflection == b.materials[i].reflection);
       CHECK(a.materials[i].transmission == b.materials[i].transmission);
       CHECK(a.materials[i].ior == b.materials[i].ior);
+      CHECK(a.materials[i].single_sided == b.materials[i].single_sided);
     }
     REQUIRE(a.lights.size() == b.lights.size());
     for (std::size_t i = 0; i < a.lights.size(); ++i) {
@@ -184,6 +185,12 @@ TEST_CASE("materials, lights, cameras and surroundings survive", "[io][convert]"
     CHECK(a.ambient_light == b.ambient_light);
     CHECK(a.surfaces.faces() == b.surfaces.faces());
   }
+}
+
+TEST_CASE("a mesh that has no single side keeps both in a .glb", "[io][convert]") {
+  const SceneFile sheet = load_text("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK_FALSE(sheet.scene.materials.at(0).single_sided);
+  CHECK_FALSE(converted(sheet.scene).file.scene.materials.at(0).single_sided);
 }
 
 TEST_CASE("a .glb keeps the rules of glTF 2.0", "[io][convert]") {

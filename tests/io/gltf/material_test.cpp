@@ -1,8 +1,11 @@
 #include "io/gltf/material.hpp"
 
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include "tests/io/gltf/text.hpp"
+#include "tracer/accel.hpp"
 
 namespace raycat {
 namespace {
@@ -181,6 +184,54 @@ TEST_CASE("MASK keeps its cutoff, which is a half unless given", "[io][gltf]") {
   CHECK(pbr(R"("baseColorFactor":[1,1,1,0.75])").alpha == 1.0f);
   CHECK(material_error(R"({"alphaMode":"GLOW"})") ==
         "materials[0]: alphaMode: unknown mode 'GLOW'; expected OPAQUE, MASK or BLEND");
+}
+
+TEST_CASE("opaque materials are single-sided unless they are said to be double-sided",
+          "[io][gltf]") {
+  CHECK(pbr(plastic).single_sided);
+  CHECK(material(R"({"alphaMode":"MASK"})").single_sided);
+  CHECK(material(R"({"extras":{"whitted":{"diffuse":[1,1,1]}}})").single_sided);
+  CHECK_FALSE(pbr(plastic, R"(,"doubleSided":true)").single_sided);
+  // What lets light through shows its back faces.
+  CHECK_FALSE(material(R"({"alphaMode":"BLEND"})").single_sided);
+  CHECK_FALSE(
+      extended(plastic, R"("KHR_materials_transmission":{"transmissionFactor":1})").single_sided);
+  CHECK_FALSE(material(R"({"extras":{"whitted":{"transmission":0.5}}})").single_sided);
+}
+
+// A triangle in the plane z = 0 whose front is at +z, or where its node mirrors it, seen from +z
+// and -z.
+std::pair<bool, bool> seen_from(const std::string& node, const std::string& material,
+                                BackFaces back_faces = BackFaces::hide) {
+  const TemporaryFile file(
+      "scene.gltf",
+      gltf("0", R"({"mesh":0)" + node + "}",
+           R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0})" + material + R"(}]}],
+           "materials":[{},{"doubleSided":true}],
+           "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+                         "min":[-1,-1,0],"max":[1,1,0]}],
+           "bufferViews":[{"buffer":0,"byteLength":36}],)" +
+               buffer_of(floats({-1, -1, 0, 1, -1, 0, 0, 1, 0}))));
+  LoadOptions options;
+  options.back_faces = back_faces;
+  const SceneFile loaded = load_scene(file.path(), options);
+  const Accel accel(loaded.scene);
+  Solid::Scratch scratch;
+  return {accel.closest({.origin = {0, 0, 5}, .direction = {0, 0, -1}}, scratch).has_value(),
+          accel.closest({.origin = {0, 0, -5}, .direction = {0, 0, 1}}, scratch).has_value()};
+}
+
+TEST_CASE("which side of a mesh is seen is decided by its winding and its node's determinant",
+          "[io][gltf]") {
+  const std::string material = GENERATE("", R"(,"material":0)");
+  CHECK(seen_from("", material) == std::pair(true, false));
+  CHECK(seen_from(R"(,"rotation":[0,1,0,0])", material) == std::pair(false, true));
+  // Mirrored along x a triangle stays where it is and winds the other way, which then is the
+  // front; along z, front and back change places.
+  CHECK(seen_from(R"(,"scale":[-1,1,1])", material) == std::pair(true, false));
+  CHECK(seen_from(R"(,"scale":[1,1,-1])", material) == std::pair(false, true));
+  CHECK(seen_from("", material, BackFaces::show) == std::pair(true, true));
+  CHECK(seen_from("", R"(,"material":1)") == std::pair(true, true));
 }
 
 TEST_CASE("specular-glossiness gives F0 outright", "[io][gltf]") {
