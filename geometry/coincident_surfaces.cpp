@@ -269,25 +269,27 @@ CoincidentSurfaces::CoincidentSurfaces(const Bounds& whole, double tolerance)
 }
 
 void CoincidentSurfaces::add(const PlacedShape& shape, const Bounds& where) {
-  const auto* mesh = std::get_if<MeshShape>(&shape.shape());
-  parts_.push_back({.shape = shape,
-                    .mesh = mesh != nullptr ? &(*mesh)->mesh() : nullptr,
-                    .pieces = piece_count(shape.shape())});
+  if (const auto* mesh = std::get_if<MeshShape>(&shape.shape())) {
+    add((*mesh)->mesh(), shape.transform(), where);
+    return;
+  }
+  parts_.push_back({.shape = &shape, .pieces = piece_count(shape.shape())});
   add_pieces(where);
 }
 
 void CoincidentSurfaces::add(const TriangleMesh& mesh, const Affine& transform,
                              const Bounds& where) {
-  parts_.push_back({.shape = PlacedShape(HalfSpace{}, transform),
-                    .mesh = &mesh,
+  parts_.push_back({.mesh = &mesh,
+                    .transform = static_cast<std::uint32_t>(transforms_.size()),
                     .pieces = static_cast<std::uint32_t>(mesh.triangles.size())});
+  transforms_.push_back(transform);
   add_pieces(where);
 }
 
 bool CoincidentSurfaces::set(const Part& part, std::uint32_t piece, SurfacePiece& out) const {
   return part.mesh != nullptr
-             ? set_triangle(*part.mesh, piece, part.shape.transform(), middle_, out)
-             : set_piece(part.shape, piece, middle_, size_, out);
+             ? set_triangle(*part.mesh, piece, transforms_[part.transform], middle_, out)
+             : set_piece(*part.shape, piece, middle_, size_, out);
 }
 
 void CoincidentSurfaces::add_pieces(const Bounds& where) {
@@ -298,7 +300,7 @@ void CoincidentSurfaces::add_pieces(const Bounds& where) {
   const Bounds near{.min = where.min - middle_ - tolerance_,
                     .max = where.max - middle_ + tolerance_};
   const bool unbounded =
-      part.mesh == nullptr && std::holds_alternative<HalfSpace>(part.shape.shape());
+      part.mesh == nullptr && std::holds_alternative<HalfSpace>(part.shape->shape());
   SurfacePiece piece;
   for (std::uint32_t i = 0; i < part.pieces; ++i) {
     if (!set(part, i, piece)) {
@@ -308,79 +310,79 @@ void CoincidentSurfaces::add_pieces(const Bounds& where) {
     if (piece.planar && !unbounded && intersection(box_around(piece), near).empty()) {
       continue;
     }
+    planar_ += piece.planar ? 1 : 0;
     levels_ |= 1U << level_for(noise_of(piece, size_, tolerance_));
     pieces_.push_back({.extent = static_cast<float>(piece.extent),
-                       .part = static_cast<std::uint32_t>(parts_.size() - 1),
-                       .piece = i});
+                       .id = {.part = static_cast<std::uint32_t>(parts_.size() - 1), .piece = i}});
   }
 }
 
 double CoincidentSurfaces::passage(std::uint32_t surface, const Ray& ray, double t, bool inwards,
                                    double most) const {
   const Ray line{.origin = ray.origin - middle_, .direction = ray.direction};
-  const auto* plane = std::get_if<Plane>(&shape_[surface]);
+  const auto* plane = std::get_if<Plane>(&shared_[surface].shape);
   const double found =
-      plane != nullptr ? plane->passage(line)
-                       : std::get_if<CurvedSurface>(&shape_[surface])->passage(line, t, inwards);
+      plane != nullptr
+          ? plane->passage(line)
+          : std::get_if<CurvedSurface>(&shared_[surface].shape)->passage(line, t, inwards);
   return std::abs(found - t) <= most ? found : t;
 }
 
 void CoincidentSurfaces::find() {
   std::ranges::sort(pieces_, [](const Piece& a, const Piece& b) {
-    return std::tuple(-a.extent, a.part, a.piece) < std::tuple(-b.extent, b.part, b.piece);
+    return std::tuple(-a.extent, a.id.part, a.id.piece) <
+           std::tuple(-b.extent, b.id.part, b.id.piece);
   });
-  struct Surface {
-    std::uint32_t part = 0;  // of its largest piece
-    bool planar = true;
-    std::uint32_t known = 0;  // by its table
+  struct Known {
+    PieceId largest;
+    std::uint32_t in_table = 0;  // of its kind
     bool shared = false;
     std::uint32_t number = none;
   };
-  std::vector<Surface> surfaces;
-  std::vector<Place> places(pieces_.size());
-  Table<Plane> planes(size_, tolerance_, levels_, pieces_.size());
-  Table<CurvedSurface> curved(size_, tolerance_, levels_, pieces_.size());
+  std::vector<Known> known;
+  std::vector<Place> joined(pieces_.size());
+  Table<Plane> planes(size_, tolerance_, levels_, planar_);
+  Table<CurvedSurface> curved(size_, tolerance_, levels_, pieces_.size() - planar_);
   SurfacePiece piece;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const auto next = static_cast<std::uint32_t>(surfaces.size());
-    set(parts_[pieces_[i].part], pieces_[i].piece, piece);
-    const Place place = piece.planar ? planes.join(piece.plane, piece, next)
-                                     : curved.join(piece.curved, piece, next);
-    if (place.surface == next) {
-      surfaces.push_back({.part = pieces_[i].part,
-                          .planar = piece.planar,
-                          .known = (piece.planar ? planes.size() : curved.size()) - 1});
+    const PieceId id = pieces_[i].id;
+    set(parts_[id.part], id.piece, piece);
+    const auto next = static_cast<std::uint32_t>(known.size());
+    joined[i] = piece.planar ? planes.join(piece.plane, piece, next)
+                             : curved.join(piece.curved, piece, next);
+    if (joined[i].surface == next) {
+      known.push_back(
+          {.largest = id, .in_table = (piece.planar ? planes.size() : curved.size()) - 1});
     }
-    Surface& surface = surfaces[place.surface];
-    surface.shared = surface.shared || surface.part != pieces_[i].part || place.reversed;
-    places[i] = place;
-  }
-  for (Surface& surface : surfaces) {
-    if (surface.shared) {
-      surface.number = static_cast<std::uint32_t>(shape_.size());
-      if (surface.planar) {
-        shape_.emplace_back(planes[surface.known]);
-      } else {
-        shape_.emplace_back(curved[surface.known]);
-      }
+    Known& surface = known[joined[i].surface];
+    if (surface.shared || (surface.largest.part == id.part && !joined[i].reversed)) {
+      continue;
+    }
+    surface.shared = true;
+    surface.number = surfaces();
+    if (piece.planar) {
+      shared_.push_back({.shape = planes[surface.in_table], .largest = surface.largest});
+    } else {
+      shared_.push_back({.shape = curved[surface.in_table], .largest = surface.largest});
     }
   }
   first_place_.assign(any() ? parts_.size() : 0, nowhere);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Surface& surface = surfaces[places[i].surface];
+    const Known& surface = known[joined[i].surface];
     if (!surface.shared) {
       continue;
     }
-    const auto [extent, part, index] = pieces_[i];
+    const auto [part, index] = pieces_[i].id;
     if (first_place_[part] == nowhere) {
       first_place_[part] = places_.size();
       places_.resize(places_.size() + parts_[part].pieces);
     }
     places_[first_place_[part] + index] = {.surface = surface.number,
-                                           .reversed = places[i].reversed};
+                                           .reversed = joined[i].reversed};
   }
   pieces_ = {};
   parts_ = {};
+  transforms_ = {};
 }
 
 }  // namespace raycat

@@ -41,12 +41,20 @@ class CoincidentSurfaces {
     bool operator==(const Place&) const = default;
   };
 
+  struct PieceId {
+    std::uint32_t part = 0;
+    std::uint32_t piece = 0;
+
+    bool operator==(const PieceId&) const = default;
+  };
+
   /// `whole` is a box around all that is bounded; `tolerance` is in scene units.
   CoincidentSurfaces(const Bounds& whole, double tolerance);
 
   /// Adds a part; parts are numbered from 0 in the order of these calls. Pieces whose boxes do
-  /// not meet `where` are left out.
+  /// not meet `where` are left out. The shape must stay where it is until `find`.
   void add(const PlacedShape& shape, const Bounds& where);
+  void add(PlacedShape&& shape, const Bounds& where) = delete;
   /// As above. The mesh need not be closed, and must stay where it is until `find`.
   void add(const TriangleMesh& mesh, const Affine& transform, const Bounds& where);
 
@@ -55,9 +63,17 @@ class CoincidentSurfaces {
 
   /// Is anything shared: does a surface hold pieces of two parts, or of one part that face opposite
   /// ways, where it is thinner than the tolerance?
-  bool any() const noexcept { return !shape_.empty(); }
+  bool any() const noexcept { return !shared_.empty(); }
 
-  std::uint32_t surfaces() const noexcept { return static_cast<std::uint32_t>(shape_.size()); }
+  std::uint32_t surfaces() const noexcept { return static_cast<std::uint32_t>(shared_.size()); }
+
+  /// The largest piece of a surface, which the surface is the one of.
+  PieceId largest(std::uint32_t surface) const noexcept { return shared_[surface].largest; }
+
+  /// Is it a plane?
+  bool flat(std::uint32_t surface) const noexcept {
+    return std::holds_alternative<Plane>(shared_[surface].shape);
+  }
 
   /// Where the line passes through the surface, the same for each of its pieces: next to `t`, where
   /// it passes through one, `inwards` (of a curved surface) or not. `t` if that is farther than
@@ -73,15 +89,20 @@ class CoincidentSurfaces {
 
  private:
   struct Part {
-    PlacedShape shape;                   // a mesh's is anything
-    const TriangleMesh* mesh = nullptr;  // of a part that is one
+    const PlacedShape* shape = nullptr;  // of a part that is no mesh
+    const TriangleMesh* mesh = nullptr;  // of one that is
+    std::uint32_t transform = 0;         // of a mesh, into `transforms_`
     std::uint32_t pieces = 0;
   };
   struct Piece {
     float extent = 0.0f;
-    std::uint32_t part = 0;
-    std::uint32_t piece = 0;
+    PieceId id;
   };
+  struct Surface {
+    std::variant<Plane, CurvedSurface> shape;
+    PieceId largest;
+  };
+
   static constexpr std::size_t nowhere = ~std::size_t{0};
 
   void add_pieces(const Bounds& where);
@@ -90,12 +111,16 @@ class CoincidentSurfaces {
   glm::dvec3 middle_{0.0};
   double size_ = 1.0;
   double tolerance_ = 0.0;
-  std::vector<Part> parts_;  // until `find`
+  // Until `find`.
+  std::vector<Part> parts_;
+  std::vector<Affine> transforms_;
   std::vector<Piece> pieces_;
-  unsigned levels_ = 0;        // on which they are looked up, a bit each
+  std::size_t planar_ = 0;  // of the pieces
+  unsigned levels_ = 0;     // on which they are looked up, a bit each
+  // From then on.
   std::vector<Place> places_;  // part by part, those parts that share anything
   std::vector<std::size_t> first_place_;
-  std::vector<std::variant<Plane, CurvedSurface>> shape_;  // of each surface
+  std::vector<Surface> shared_;
 };
 
 }  // namespace raycat

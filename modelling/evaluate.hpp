@@ -32,9 +32,9 @@ struct EvaluatedMesh {
 /// edge these are more than two. Where operands' surfaces coincide, the rule of `Solid` says whose
 /// face it is. No triangles if the tree comes to nothing.
 ///
-/// Faces of two leaves that lie in one plane to within 1e-7 of the half diagonal are first put into
-/// one plane, so that what is meant to be flush is. The rest is exact, until the corners that have
-/// come about are rounded to doubles.
+/// Faces of two leaves that coincide (`coincident_leaves`) are first put into one plane, so that
+/// what is meant to be flush is, where rays have it so. The rest is exact, until the corners that
+/// have come about are rounded to doubles.
 ///
 /// Throws `std::invalid_argument` if a half-space leaves the tree without bounds, if the tree is
 /// not complete, or if the operands take too many triangles, `std::length_error` if these cut one

@@ -18,7 +18,7 @@ namespace {
 
 using Exactly = Exact::Exact_kernel;
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t none = FlushTriangles::none;
 constexpr double cell = 1e-3;                // of normals, and of offsets by the size of the whole
 constexpr double noise = 1e-5;               // by which those of one plane may differ
 constexpr double normal_steps = 67108864.0;  // 2^26, into which normals are rounded
@@ -36,8 +36,9 @@ struct Plane {
 
 class Planes {
  public:
+  // Those that are spanned come first.
   Planes(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
-         double tolerance)
+         std::span<const std::uint32_t> spanning, double tolerance)
       : positions_(positions), triangles_(triangles), tolerance_(tolerance) {
     Bounds box;
     for (const glm::dvec3& position : positions) {
@@ -46,6 +47,14 @@ class Planes {
     if (!box.empty()) {
       middle_ = box.center();
       size_ = std::max(glm::length(box.half_size()), std::numeric_limits<double>::min());
+    }
+    for (const std::uint32_t triangle : spanning) {
+      Plane plane{.triangle = triangle, .shared = true};
+      if (triangle != none) {
+        const std::array<glm::dvec3, 3> corners = corners_of(triangle);
+        plane.normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+      }
+      planes.push_back(plane);
     }
   }
 
@@ -245,14 +254,17 @@ class Mover {
 
 std::vector<Exact::Point_3> onto_flush_planes(std::span<const glm::dvec3> positions,
                                               std::span<const glm::uvec3> triangles,
-                                              std::span<const std::uint32_t> owner,
-                                              double tolerance) {
-  constexpr double farthest = 4.0;  // in tolerances
-  Planes planes(positions, triangles, tolerance);
+                                              const FlushTriangles& flush, double tolerance) {
+  constexpr double farthest = 8.0;  // in tolerances
+  Planes planes(positions, triangles, flush.spanning, 2.0 * tolerance);
   const std::vector<std::uint32_t> order = largest_first(positions, triangles);
   std::vector<std::uint32_t> plane_of(triangles.size());
   for (const std::uint32_t triangle : order) {
-    plane_of[triangle] = planes.add(triangle, owner[triangle]);
+    const std::uint32_t surface = flush.surface[triangle];
+    plane_of[triangle] = surface == none ? none
+                         : flush.spanning[surface] != none
+                             ? surface
+                             : planes.add(triangle, flush.owner[triangle]);
   }
   // By plane, so that corners that are on the same planes take them in the same order.
   std::vector<std::uint32_t> by_plane = order;

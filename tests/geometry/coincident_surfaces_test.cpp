@@ -170,6 +170,8 @@ TEST_CASE("a capsule's balls are pieces, and so are caps", "[geometry][coinciden
              placed(Sphere{.radius = 0.5}, turned(0.3) * moved({0, 1, 0}))});
   CHECK(capsule.surfaces() == 1);
   CHECK(capsule.place(0, 2).surface == 0);
+  CHECK_FALSE(capsule.flat(0));
+  CHECK(capsule.largest(0) == CoincidentSurfaces::PieceId{.part = 0, .piece = 2});
   CHECK(capsule.place(0, 1).surface == none);
   CHECK(capsule.place(1, 0).surface == 0);
   // A cone without a lower cap stands on its point; its upper cap is piece 1.
@@ -178,6 +180,8 @@ TEST_CASE("a capsule's balls are pieces, and so are caps", "[geometry][coinciden
              placed(Box{.size = glm::dvec3(3.0)}, turned(0.3) * moved({0, 2.5, 0}))});
   CHECK(cap.surfaces() == 1);
   CHECK(cap.place(0, 1) == Place{.surface = 0, .reversed = true});
+  CHECK(cap.flat(0));
+  CHECK(cap.largest(0) == CoincidentSurfaces::PieceId{.part = 1, .piece = 2});
   CHECK(cap.place(1, 2) == Place{.surface = 0});
 }
 
@@ -234,8 +238,8 @@ TEST_CASE("triangles lie in the faces of a box", "[geometry][coincident]") {
   const TriangleMesh mesh = tessellate(Box{.size = {2, 1, 2}}, 0.0);
   for (const glm::dmat4& map : maps()) {
     CoincidentSurfaces surfaces(whole, tolerance);
-    surfaces.add(placed(Box{.size = {3, 1, 1.5}}, map * moved({0, 0.9 * tolerance, 0})),
-                 everywhere);
+    const PlacedShape box = placed(Box{.size = {3, 1, 1.5}}, map * moved({0, 0.9 * tolerance, 0}));
+    surfaces.add(box, everywhere);
     surfaces.add(mesh, Affine(map), everywhere);
     surfaces.find();
     CHECK(surfaces.surfaces() == 2);
@@ -245,6 +249,41 @@ TEST_CASE("triangles lie in the faces of a box", "[geometry][coincident]") {
       const Place expected = flush ? surfaces.place(0, mesh.faces[i]) : Place{};
       CHECK(surfaces.place(1, i) == expected);
       CHECK(flush == (surfaces.place(1, i).surface != none));
+    }
+  }
+}
+
+TEST_CASE("a line passes through a surface where it does so through any piece of it",
+          "[geometry][coincident]") {
+  Random random(2);
+  for (const glm::dmat4& map : maps()) {
+    for (const auto& [one, other] : curved_twins(0.9 * tolerance)) {
+      const CoincidentSurfaces surfaces = found({placed(one, map), placed(other, map)});
+      int near = 0;
+      for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 to(map * glm::dvec4(uniform(random, -1, 1), uniform(random, -0.4, 0.4),
+                                             uniform(random, -1, 1), 1.0));
+        const glm::dvec3 from(uniform(random, -9, 9), uniform(random, -9, 9), 8.0);
+        const Ray ray{.origin = from, .direction = to - from};
+        std::array<Crossings, 2> crossings;
+        placed(one, map).cross(ray, crossings[0]);
+        placed(other, map).cross(ray, crossings[1]);
+        for (const Crossing& a : crossings[0]) {
+          for (const Crossing& b : crossings[1]) {
+            const double cosine = std::abs(glm::dot(glm::normalize(ray.direction), a.normal));
+            if (a.piece == 0 && b.piece == 0 && a.entering == b.entering && cosine > 0.1 &&
+                std::abs(a.t - b.t) < 1e-4 && surfaces.any()) {
+              const double t = surfaces.passage(0, ray, a.t, a.entering, 1e-4);
+              REQUIRE(surfaces.passage(0, ray, b.t, b.entering, 1e-4) == t);
+              // The surface is the one or the other.
+              REQUIRE(std::min(std::abs(t - a.t), std::abs(t - b.t)) < 1e-12);
+              REQUIRE(surfaces.passage(0, ray, t + 1.0, a.entering, 1e-4) == t + 1.0);
+              ++near;
+            }
+          }
+        }
+      }
+      CHECK((near > 10 || !surfaces.any()));
     }
   }
 }
@@ -265,8 +304,10 @@ TEST_CASE("solids far from the origin share what they share there", "[geometry][
   const auto sharing = [&](double gap) {
     CoincidentSurfaces surfaces(there, coincidence_tolerance(there));
     const glm::dmat4 map = moved(far) * turned(0.7);
-    surfaces.add(placed(Box{.size = {2, 1, 3}}, map), everywhere);
-    surfaces.add(placed(Box{.size = {1, 1, 1}}, map * moved({0, 1.0 + gap, 0})), everywhere);
+    const PlacedShape below = placed(Box{.size = {2, 1, 3}}, map);
+    const PlacedShape above = placed(Box{.size = {1, 1, 1}}, map * moved({0, 1.0 + gap, 0}));
+    surfaces.add(below, everywhere);
+    surfaces.add(above, everywhere);
     surfaces.find();
     return surfaces.any();
   };
@@ -319,7 +360,7 @@ TEST_CASE("what is found is what looking at all pairs finds", "[geometry][coinci
     // tolerance and tilted so that their corners move by about as much.
     const glm::dmat4 frame = turned(uniform(random, 0, 3));
     std::vector<std::pair<Box, glm::dmat4>> boxes;
-    CoincidentSurfaces surfaces(whole, tolerance);
+    std::vector<PlacedShape> parts;
     for (int i = 0; i < 30; ++i) {
       Box box;
       glm::dvec3 at;
@@ -334,9 +375,9 @@ TEST_CASE("what is found is what looking at all pairs finds", "[geometry][coinci
           frame * moved(at), uniform(random, 0, 1) * tolerance / length,
           glm::normalize(glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1), 1)));
       boxes.emplace_back(box, map);
-      surfaces.add(placed(box, map), everywhere);
+      parts.push_back(placed(box, map));
     }
-    surfaces.find();
+    const CoincidentSurfaces surfaces = found(parts);
 
     const std::vector<Face> faces = faces_of(boxes);
     std::vector<std::size_t> leader(faces.size());
