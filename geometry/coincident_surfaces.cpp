@@ -102,17 +102,19 @@ class Table {
         cells_(std::bit_ceil(std::max<std::size_t>(most, 1))) {}
 
   // The first surface that is near all samples of the piece; else the piece's own, numbered `next`.
-  Place join(const Surface& surface, const SurfacePiece& piece, std::uint32_t next) {
-    const double noise = noise_of(piece, size_, tolerance_);
+  // `tolerance` is the piece's own.
+  Place join(const Surface& surface, const SurfacePiece& piece, double tolerance,
+             std::uint32_t next) {
+    const double noise = noise_of(piece, size_, tolerance);
     const std::size_t level = level_for(noise);
     const Key key = key_of(surface, size_);
     std::uint32_t found = none;
-    find(key, level, noise, piece.samples, found);
+    find(key, level, noise, piece.samples, tolerance, found);
     if (key.directed) {
-      find(reversed(key, surface), level, noise, piece.samples, found);
+      find(reversed(key, surface), level, noise, piece.samples, tolerance, found);
     }
     if (found == none) {
-      add(surface, key, next);
+      add(surface, key, tolerance, next);
       return {.surface = next};
     }
     return {.surface = known_[found].number,
@@ -137,6 +139,7 @@ class Table {
 
   struct Known {
     Surface surface;
+    double tolerance = 0.0;
     std::uint32_t number = 0;
   };
 
@@ -154,7 +157,7 @@ class Table {
     return hash & (cells_.size() - 1);
   }
 
-  void add(const Surface& surface, const Key& key, std::uint32_t number) {
+  void add(const Surface& surface, const Key& key, double tolerance, std::uint32_t number) {
     std::array<std::int64_t, 6> cell{};
     for (std::size_t level = 0; level < cell_sizes.size(); ++level) {
       if ((levels_ >> level & 1U) == 0) {
@@ -169,7 +172,7 @@ class Table {
       }
       push(cells_[slot(cell, key.count, level)], entry);
     }
-    known_.push_back({.surface = surface, .number = number});
+    known_.push_back({.surface = surface, .tolerance = tolerance, .number = number});
   }
 
   void push(Cell& cell, const Entry& entry) {
@@ -184,7 +187,7 @@ class Table {
 
   // Lowers `found` to the first of those in the cells around the key that is near all samples.
   void find(const Key& key, std::size_t level, double noise, std::span<const glm::dvec3> samples,
-            std::uint32_t& found) const {
+            double tolerance, std::uint32_t& found) const {
     std::array<std::int64_t, 6> low{};
     std::array<std::int64_t, 6> high{};
     for (std::size_t k = 0; k < key.count; ++k) {
@@ -196,7 +199,7 @@ class Table {
       const auto [begin, count] = cells_[slot(cell, key.count, level)];
       for (const Entry& entry : std::span(entries_).subspan(begin, count)) {
         if (entry.known < found && differ_little(entry.values, key, noise) &&
-            holds(known_[entry.known].surface, samples)) {
+            holds(known_[entry.known], samples, tolerance)) {
           found = entry.known;
         }
       }
@@ -225,9 +228,10 @@ class Table {
                                                4.0 * tolerance_ / size_ + 8.0 * rounding;
   }
 
-  bool holds(const Surface& surface, std::span<const glm::dvec3> samples) const {
+  static bool holds(const Known& known, std::span<const glm::dvec3> samples, double tolerance) {
+    const double most = std::min(tolerance, known.tolerance);
     return std::ranges::all_of(
-        samples, [&](const glm::dvec3& sample) { return surface.distance(sample) <= tolerance_; });
+        samples, [&](const glm::dvec3& sample) { return known.surface.distance(sample) <= most; });
   }
 
   double size_;
@@ -268,19 +272,22 @@ CoincidentSurfaces::CoincidentSurfaces(const Bounds& whole, double tolerance)
   }
 }
 
-void CoincidentSurfaces::add(const PlacedShape& shape, const Bounds& where) {
+void CoincidentSurfaces::add(const PlacedShape& shape, const Bounds& where, double own_tolerance) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape.shape())) {
-    add((*mesh)->mesh(), shape.transform(), where);
+    add((*mesh)->mesh(), shape.transform(), where, own_tolerance);
     return;
   }
-  parts_.push_back({.shape = &shape, .pieces = piece_count(shape.shape())});
+  parts_.push_back({.shape = &shape,
+                    .tolerance = std::min(tolerance_, own_tolerance),
+                    .pieces = piece_count(shape.shape())});
   add_pieces(where);
 }
 
-void CoincidentSurfaces::add(const TriangleMesh& mesh, const Affine& transform,
-                             const Bounds& where) {
+void CoincidentSurfaces::add(const TriangleMesh& mesh, const Affine& transform, const Bounds& where,
+                             double own_tolerance) {
   parts_.push_back({.mesh = &mesh,
                     .transform = static_cast<std::uint32_t>(transforms_.size()),
+                    .tolerance = std::min(tolerance_, own_tolerance),
                     .pieces = static_cast<std::uint32_t>(mesh.triangles.size())});
   transforms_.push_back(transform);
   add_pieces(where);
@@ -297,8 +304,8 @@ void CoincidentSurfaces::add_pieces(const Bounds& where) {
     return;
   }
   const Part& part = parts_.back();
-  const Bounds near{.min = where.min - middle_ - tolerance_,
-                    .max = where.max - middle_ + tolerance_};
+  const Bounds near{.min = where.min - middle_ - part.tolerance,
+                    .max = where.max - middle_ + part.tolerance};
   const bool unbounded =
       part.mesh == nullptr && std::holds_alternative<HalfSpace>(part.shape->shape());
   SurfacePiece piece;
@@ -311,7 +318,7 @@ void CoincidentSurfaces::add_pieces(const Bounds& where) {
       continue;
     }
     planar_ += piece.planar ? 1 : 0;
-    levels_ |= 1U << level_for(noise_of(piece, size_, tolerance_));
+    levels_ |= 1U << level_for(noise_of(piece, size_, part.tolerance));
     pieces_.push_back({.extent = static_cast<float>(piece.extent),
                        .id = {.part = static_cast<std::uint32_t>(parts_.size() - 1), .piece = i}});
   }
@@ -346,10 +353,11 @@ void CoincidentSurfaces::find() {
   SurfacePiece piece;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const PieceId id = pieces_[i].id;
+    const double tolerance = parts_[id.part].tolerance;
     set(parts_[id.part], id.piece, piece);
     const auto next = static_cast<std::uint32_t>(known.size());
-    joined[i] = piece.planar ? planes.join(piece.plane, piece, next)
-                             : curved.join(piece.curved, piece, next);
+    joined[i] = piece.planar ? planes.join(piece.plane, piece, tolerance, next)
+                             : curved.join(piece.curved, piece, tolerance, next);
     if (joined[i].surface == next) {
       known.push_back(
           {.largest = id, .in_table = (piece.planar ? planes.size() : curved.size()) - 1});

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,7 @@ double coincidence_tolerance(const Bounds& whole);
 class CoincidentSurfaces {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   /// Where a piece lies.
   struct Place {
@@ -52,11 +54,13 @@ class CoincidentSurfaces {
   CoincidentSurfaces(const Bounds& whole, double tolerance);
 
   /// Adds a part; parts are numbered from 0 in the order of these calls. Pieces whose boxes do
-  /// not meet `where` are left out. The shape must stay where it is until `find`.
-  void add(const PlacedShape& shape, const Bounds& where);
-  void add(PlacedShape&& shape, const Bounds& where) = delete;
+  /// not meet `where` are left out. Where a part has a smaller tolerance of its own, surfaces of it
+  /// and of others may be no farther apart than that. The shape must stay where it is until `find`.
+  void add(const PlacedShape& shape, const Bounds& where, double own_tolerance = unlimited);
+  void add(PlacedShape&& shape, const Bounds& where, double own_tolerance = unlimited) = delete;
   /// As above. The mesh need not be closed, and must stay where it is until `find`.
-  void add(const TriangleMesh& mesh, const Affine& transform, const Bounds& where);
+  void add(const TriangleMesh& mesh, const Affine& transform, const Bounds& where,
+           double own_tolerance = unlimited);
 
   /// To be called once, when all parts are added.
   void find();
@@ -92,6 +96,7 @@ class CoincidentSurfaces {
     const PlacedShape* shape = nullptr;  // of a part that is no mesh
     const TriangleMesh* mesh = nullptr;  // of one that is
     std::uint32_t transform = 0;         // of a mesh, into `transforms_`
+    double tolerance = 0.0;
     std::uint32_t pieces = 0;
   };
   struct Piece {

@@ -56,7 +56,7 @@ std::optional<Hit> Accel::next_at(const Ray& ray, const Hit& hit, Solid::Scratch
   if (!hit.layer.shared()) {
     return std::nullopt;
   }
-  const Departure from = departure(hit, ray.direction);
+  const Departure from = departure(ray, hit, ray.direction);
   const Ray on{.origin = ray.at(hit.t), .direction = ray.direction};
   std::optional<Hit> next = closest(on, scratch, from);
   if (!next || next->layer.surface != hit.layer.surface || std::abs(next->t) > from.behind) {
@@ -71,12 +71,14 @@ glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal
   return point + index_->leave_distance(ray.origin, point) * normal;
 }
 
-Departure Accel::departure(const Hit& hit, const glm::dvec3& direction) const {
+Departure Accel::departure(const Ray& ray, const Hit& hit, const glm::dvec3& direction) const {
   if (!hit.layer.shared()) {
     return {};
   }
+  const double reach =
+      index_->layers.place(hit.layer) + 2.0 * index_->leave_distance(ray.origin, ray.at(hit.t));
   const double rise = std::abs(glm::dot(hit.normal, direction));
-  return {.layer = hit.layer, .behind = index_->place() / rise};
+  return {.layer = hit.layer, .reach = reach, .behind = reach / rise};
 }
 
 }  // namespace raycat

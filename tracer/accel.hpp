@@ -57,8 +57,8 @@ class Accel {
   /// surface again. The offset follows from the error of the hit in double precision.
   glm::dvec3 leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal) const;
 
-  /// Where a ray of this direction starts that leaves `hit`.
-  Departure departure(const Hit& hit, const glm::dvec3& direction) const;
+  /// Where a ray of this direction starts that leaves the `hit` of another.
+  Departure departure(const Ray& ray, const Hit& hit, const glm::dvec3& direction) const;
 
   const Scene& scene() const noexcept { return scene_; }
 

@@ -47,9 +47,6 @@ struct Accel::Index {
   /// How far from a hit at `point` rays start that leave it, seen from `origin`.
   double leave_distance(const glm::dvec3& origin, const glm::dvec3& point) const;
 
-  /// How near to each other surfaces that lie in one are.
-  double place() const noexcept { return 4.0 * layers.tolerance(); }
-
   struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }

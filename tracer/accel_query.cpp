@@ -112,7 +112,7 @@ double AccelQuery::rise(const SolidObject& object, const Boundary& boundary) con
 template <typename Rise>
 bool AccelQuery::meets(double t, bool entering, const SurfaceLayer& layer, const Rise& rise) const {
   if (layer.shared() && layer.surface == from_.layer.surface &&
-      std::abs(t) * rise() <= index_.place()) {
+      std::abs(t) * rise() <= from_.reach) {
     return layer.past(from_.layer, layer.along(entering));
   }
   return t > 0.0 &&
@@ -129,7 +129,7 @@ bool AccelQuery::meets(const TriangleMet& met) const {
 // Does it come before the first so far?
 bool AccelQuery::closer(double t, bool entering, const SurfaceLayer& layer, double rise) const {
   if (layer.shared() && layer.surface == first_layer_.surface &&
-      std::abs(t - t_end_) * rise <= index_.place()) {
+      std::abs(t - t_end_) * rise <= index_.layers.place(layer)) {
     return first_layer_.past(layer, layer.along(entering));
   }
   return t < t_end_;
@@ -158,7 +158,7 @@ bool AccelQuery::offer(const SolidObject& object) {
       boundary_ = met;
       t_end_ = met.t;
       first_layer_ = at;
-      slack_ = at.shared() ? index_.place() / gained : 0.0;
+      slack_ = at.shared() ? index_.layers.place(at) / gained : 0.0;
     }
     return false;
   });
@@ -182,7 +182,7 @@ bool AccelQuery::offer(const TriangleMet& met) {
   triangle_ = met;
   t_end_ = met.t;
   first_layer_ = at;
-  slack_ = (2.0 * index_.padding + (at.shared() ? index_.place() : 0.0)) / met.rise;
+  slack_ = (2.0 * index_.padding + (at.shared() ? index_.layers.place(at) : 0.0)) / met.rise;
   return true;
 }
 

@@ -30,7 +30,8 @@ struct SurfaceLayer {
 /// Where a ray starts: in free space, or at a hit.
 struct Departure {
   SurfaceLayer layer;
-  double behind = 0.0;  ///< how far behind its origin, in t, surfaces of the same place may be met
+  double reach = 0.0;   ///< how far from its origin surfaces of the same place may be found
+  double behind = 0.0;  ///< and how far behind it, in t
 };
 
 }  // namespace raycat

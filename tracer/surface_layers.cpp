@@ -4,6 +4,8 @@
 #include <numeric>
 #include <tuple>
 
+#include <glm/geometric.hpp>
+
 #include "geometry/coincident_surfaces.hpp"
 #include "geometry/surface_piece.hpp"
 
@@ -18,9 +20,26 @@ constexpr std::uint32_t several = nothing - 1;
 
 // What rays may meet in one place: a solid or a mesh.
 struct Thing {
-  Bounds box;    // somewhat larger than it
-  Bounds where;  // the part of it that others come near
+  Bounds box;              // somewhat larger than it
+  double tolerance = 0.0;  // how near another thing's surface is that coincides with one of it
+  Bounds where;            // the part of it that others come near
 };
+
+// Coordinates are rounded by where they are, from the middle of the scene, but what is small is not
+// thinner than its tolerance there.
+double tolerance_of(const Bounds& box, const Bounds& whole) {
+  constexpr double relative = 1e-7;
+  constexpr double most = 1e-4;
+  constexpr double least = 0x1p-47;
+  if (whole.empty()) {
+    return coincidence_tolerance(whole);
+  }
+  const double half = box.finite() ? glm::length(box.half_size()) : glm::length(whole.half_size());
+  const double from = box.finite() ? glm::distance(box.center(), whole.center()) : 0.0;
+  const glm::dvec3 farthest = glm::max(glm::abs(whole.min), glm::abs(whole.max));
+  return std::max(std::min(relative * (half + from), most * half),
+                  least * std::max({farthest.x, farthest.y, farthest.z}));
+}
 
 Bounds grown(const Bounds& box, double by) {
   return box.empty() ? box : Bounds{.min = box.min - by, .max = box.max + by};
@@ -79,22 +98,19 @@ bool opaque(const Material& material) {
          material.alpha_cutoff <= 0.0f;
 }
 
-std::vector<Thing> things_of(const Scene& scene, double tolerance) {
+std::vector<Thing> things_of(const Scene& scene, const Bounds& whole) {
   std::vector<Thing> out;
+  const auto add = [&](const Bounds& box) {
+    const double tolerance = tolerance_of(box, whole);
+    out.push_back({.box = grown(box, tolerance), .tolerance = tolerance, .where = {}});
+  };
   for (const SolidObject& object : scene.solids) {
-    out.push_back({.box = grown(object.solid.bounds(), tolerance), .where = {}});
+    add(object.solid.bounds());
   }
   for (const MeshInstance& mesh : scene.meshes) {
-    out.push_back({.box = grown(mesh.transform.bounds(bounds(mesh.mesh->triangles)), tolerance),
-                   .where = {}});
+    add(mesh.transform.bounds(bounds(mesh.mesh->triangles)));
   }
-  Bounds all;
-  for (const Thing& thing : out) {
-    if (thing.box.finite()) {
-      all.include(thing.box);
-    }
-  }
-  find_neighbours(out, all.empty() ? 0 : longest_axis(all));
+  find_neighbours(out, whole.empty() ? 0 : longest_axis(whole));
   return out;
 }
 
@@ -148,30 +164,61 @@ std::vector<Member> members_of(const Scene& scene, const std::vector<Thing>& thi
   return out;
 }
 
+// Of each surface: two things are as near as the one with the smaller tolerance demands, so the
+// second greatest is the greatest that two places on it differ by.
+std::vector<double> places(const std::vector<Member>& members, const std::vector<Thing>& things,
+                           std::uint32_t surfaces) {
+  constexpr double tolerances = 4.0;
+  struct Greatest {
+    std::uint32_t thing = nothing;
+    double first = 0.0;
+    double second = 0.0;
+  };
+  std::vector<Greatest> greatest(surfaces);
+  for (const Member& member : members) {
+    Greatest& at = greatest[member.surface];
+    const double tolerance = things[member.thing].tolerance;
+    if (at.thing == member.thing) {
+      continue;
+    }
+    if (at.thing == nothing || tolerance > at.first) {
+      at.second = at.first;
+      at.first = tolerance;
+      at.thing = member.thing;
+    } else {
+      at.second = std::max(at.second, tolerance);
+    }
+  }
+  std::vector<double> out(surfaces);
+  std::ranges::transform(greatest, out.begin(),
+                         [](const Greatest& at) { return tolerances * at.second; });
+  return out;
+}
+
 }  // namespace
 
 SurfaceLayers::SurfaceLayers(const Scene& scene) {
   const Bounds whole = bounds(scene);
-  tolerance_ = coincidence_tolerance(whole);
-  const std::vector<Thing> things = things_of(scene, tolerance_);
+  const std::vector<Thing> things = things_of(scene, whole);
   if (std::ranges::all_of(things, [](const Thing& thing) { return thing.where.empty(); })) {
     return;
   }
-  CoincidentSurfaces surfaces(whole, tolerance_);
+  CoincidentSurfaces surfaces(whole, coincidence_tolerance(whole));
   std::vector<std::uint32_t> pieces;
+  auto thing = things.begin();
   for (const SolidObject& object : scene.solids) {
     leaves_.push_back(pieces.size());
-    const Bounds& where = things[leaves_.size() - 1].where;
     for (const CsgLeaf& leaf : object.solid.tree().leaves()) {
-      surfaces.add(leaf.shape, where);
+      surfaces.add(leaf.shape, thing->where, thing->tolerance);
       pieces.push_back(piece_count(leaf.shape.shape()));
     }
+    ++thing;
   }
   meshes_ = pieces.size();
   for (const MeshInstance& mesh : scene.meshes) {
-    surfaces.add(mesh.mesh->triangles, mesh.transform,
-                 things[scene.solids.size() + pieces.size() - meshes_].where);
+    surfaces.add(mesh.mesh->triangles, mesh.transform, thing->where, thing->tolerance);
     pieces.push_back(static_cast<std::uint32_t>(mesh.mesh->triangles.triangles.size()));
+    ++thing;
   }
   surfaces.find();
   if (!surfaces.any()) {
@@ -179,6 +226,7 @@ SurfaceLayers::SurfaceLayers(const Scene& scene) {
   }
   first_.assign(pieces.size(), none);
   const std::vector<Member> members = members_of(scene, things, surfaces);
+  place_ = places(members, things, surfaces.surfaces());
   const Member* before = nullptr;
   std::int32_t rank = 0;
   for (const Member& member : members) {

@@ -19,8 +19,8 @@ class SurfaceLayers {
 
   bool any() const noexcept { return !layers_.empty(); }
 
-  /// How far apart surfaces may be that count as one, in units of the scene.
-  double tolerance() const noexcept { return tolerance_; }
+  /// How far apart, in units of the scene, two places on a layer's surface may be found to be.
+  double place(const SurfaceLayer& layer) const noexcept { return place_[layer.surface]; }
 
   SurfaceLayer of_solid(std::size_t solid, const Boundary& boundary) const noexcept {
     return any() ? layer(leaves_[solid] + boundary.leaf, boundary.piece) : SurfaceLayer();
@@ -42,7 +42,7 @@ class SurfaceLayers {
     return first_[part] == none ? SurfaceLayer() : layers_[first_[part] + piece];
   }
 
-  double tolerance_ = 0.0;
+  std::vector<double> place_;         // by surface
   std::vector<std::size_t> leaves_;   // by solid, the part that is its first leaf
   std::size_t meshes_ = 0;            // the part that is the first mesh
   std::vector<std::uint32_t> first_;  // by part, into `layers_`; `none` where nothing is shared

@@ -218,11 +218,11 @@ class Shader {
       return false;
     }
     ++scratch_.rays.shadow;
-    const glm::vec3 passed = accel_.transmittance({.origin = lifted_, .direction = at.way},
-                                                  light.kind == Light::Kind::directional
-                                                      ? at.distance
-                                                      : glm::distance(light.position, lifted_),
-                                                  scratch_.solid, accel_.departure(hit_, at.way));
+    const glm::vec3 passed = accel_.transmittance(
+        {.origin = lifted_, .direction = at.way},
+        light.kind == Light::Kind::directional ? at.distance
+                                               : glm::distance(light.position, lifted_),
+        scratch_.solid, accel_.departure(ray_, hit_, at.way));
     if (passed == black) {
       return false;
     }
@@ -314,7 +314,7 @@ class Shader {
   }
 
   ChildRay child(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    return {{.origin = origin, .direction = direction}, accel_.departure(hit_, direction)};
+    return {{.origin = origin, .direction = direction}, accel_.departure(ray_, hit_, direction)};
   }
 
   bool untextured() const {
