@@ -9,11 +9,13 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "geometry/coincident_twins.hpp"
 #include "geometry/crease.hpp"
 #include "geometry/disjoint_sets.hpp"
+#include "geometry/edge_parts.hpp"
 #include "geometry/edge_uses.hpp"
 #include "geometry/raw_array.hpp"
 #include "geometry/weld.hpp"
@@ -48,12 +50,18 @@ class FaceGrouping {
   void join_smooth_edges() {
     parallel_parts(edges_.vertices(), threads_, [&](std::size_t begin, std::size_t end, int) {
       std::vector<TriangleCopy> copies;
+      std::vector<std::uint32_t> open;
       edges_.for_each(begin, end, [&](std::span<const std::uint32_t> uses) {
         add_copies(vertices_, uses, copies);
-        join_smooth(uses);
+        join_smooth(uses, open);
       });
       join_copies(copies);
+      const std::lock_guard lock(adding_);
+      open_.insert(open_.end(), open.begin(), open.end());
     });
+    if (!open_.empty()) {
+      join_over_vertices_on_edges();
+    }
   }
 
   /// Joins what shares an edge, but for the edges between two of the points given.
@@ -163,58 +171,107 @@ class FaceGrouping {
     copies_.insert(copies_.end(), copies.begin(), copies.end());
   }
 
-  void join_smooth(std::span<const std::uint32_t> uses) {
-    if (uses.size() == 2 && apex(uses[0]) != apex(uses[1])) {
-      const bool opposite = start(uses[0]) != start(uses[1]);
-      if (smooth(uses[0], uses[1], opposite)) {
-        sets_.join(uses[0] / 3, uses[1] / 3);
-      }
-    } else if (uses.size() > 1) {
-      join_smooth_surfaces(surfaces_at(uses));
-    }
-  }
-
-  // A surface at an edge: the half-edge of a triangle that runs along it upwards, from the lower
-  // vertex, and that of one downwards. Both, if it is stored both ways round.
-  struct EdgeSurface {
-    std::uint32_t apex = none;
-    std::uint32_t upwards = none;
-    std::uint32_t downwards = none;
+  // A triangle's side along an edge, or part of one.
+  struct Side {
+    std::uint32_t half = none;
+    double from = 0.0;
+    double to = 1.0;
   };
 
-  // Triangles with one apex are one surface.
-  std::vector<EdgeSurface> surfaces_at(std::span<const std::uint32_t> uses) const {
+  // A surface at an edge: the side of a triangle that runs along it upwards, from the lower vertex,
+  // and that of one downwards. Both, if it is stored both ways round.
+  struct EdgeSurface {
+    std::uint32_t apex = none;
+    Side upwards;
+    Side downwards;
+  };
+
+  // Adds half-edges of edges that only one surface has to `open`.
+  void join_smooth(std::span<const std::uint32_t> uses, std::vector<std::uint32_t>& open) {
+    if (uses.size() == 1) {
+      open.push_back(uses.front());
+      return;
+    }
+    if (uses.size() == 2 && apex(uses[0]) != apex(uses[1]) && !some_degenerate_) {
+      const bool opposite = start(uses[0]) != start(uses[1]);
+      if (smooth({.half = uses[0]}, {.half = uses[1]}, opposite)) {
+        sets_.join(uses[0] / 3, uses[1] / 3);
+      }
+      return;
+    }
     const std::uint32_t low = std::min(start(uses.front()), half_edge_end(vertices_, uses.front()));
     std::vector<EdgeSurface> surfaces;
     for (const std::uint32_t use : uses) {
-      const bool is_upwards = start(use) == low;
-      surfaces.push_back({.apex = apex(use),
-                          .upwards = is_upwards ? use : none,
-                          .downwards = is_upwards ? none : use});
+      surfaces.push_back(surface({.half = use}, start(use) == low));
     }
+    join_smooth_surfaces(surfaces);
+    const auto areas = std::ranges::count_if(
+        surfaces, [&](const EdgeSurface& surface) { return !degenerate(triangle_of(surface)); });
+    for (const EdgeSurface& surface : surfaces) {
+      if (areas == 1 && !degenerate(triangle_of(surface))) {
+        open.push_back(surface.upwards.half != none ? surface.upwards.half
+                                                    : surface.downwards.half);
+      }
+    }
+  }
+
+  // Edges that end inside others, as they do in floors that are cut into rows of unequal pieces.
+  void join_over_vertices_on_edges() {
+    std::ranges::sort(open_);
+    std::vector<EdgeSurface> surfaces;
+    for_each_place(edge_parts(positions_, vertices_, open_, edge_tolerance(positions_), threads_),
+                   [&](std::span<const EdgePart> parts) {
+                     if (parts.size() == 1) {
+                       return;
+                     }
+                     surfaces.clear();
+                     for (const EdgePart& part : parts) {
+                       surfaces.push_back(surface(
+                           {.half = part.half, .from = part.from, .to = part.to}, part.upwards));
+                     }
+                     join_smooth_surfaces(surfaces);
+                   });
+  }
+
+  EdgeSurface surface(const Side& side, bool upwards) const {
+    return {.apex = apex(side.half),
+            .upwards = upwards ? side : Side(),
+            .downwards = upwards ? Side() : side};
+  }
+
+  static std::uint32_t triangle_of(const EdgeSurface& surface) {
+    return std::min(surface.upwards.half, surface.downwards.half) / 3;
+  }
+
+  // Triangles with one apex are one surface.
+  static void unite_copies(std::vector<EdgeSurface>& surfaces) {
     std::ranges::stable_sort(surfaces, {}, &EdgeSurface::apex);
     std::size_t kept = 0;
     for (std::size_t i = 1; i < surfaces.size(); ++i) {
       if (surfaces[i].apex != surfaces[kept].apex) {
         surfaces[++kept] = surfaces[i];
-      } else {
-        surfaces[kept].upwards = std::min(surfaces[kept].upwards, surfaces[i].upwards);
-        surfaces[kept].downwards = std::min(surfaces[kept].downwards, surfaces[i].downwards);
+        continue;
+      }
+      if (surfaces[kept].upwards.half == none) {
+        surfaces[kept].upwards = surfaces[i].upwards;
+      }
+      if (surfaces[kept].downwards.half == none) {
+        surfaces[kept].downwards = surfaces[i].downwards;
       }
     }
     surfaces.resize(kept + 1);
-    return surfaces;
   }
 
-  void join_smooth_surfaces(std::span<const EdgeSurface> surfaces) {
+  void join_smooth_surfaces(std::vector<EdgeSurface>& surfaces) {
+    unite_copies(surfaces);
     // So many surfaces around one edge are none, and all their pairs too many to try.
     constexpr std::size_t most_around_edge = 64;
     if (surfaces.size() > most_around_edge) {
       return;
     }
-    const auto join_if_smooth = [&](std::uint32_t a, std::uint32_t b, bool opposite) {
-      if (a != none && b != none && smooth(a, b, opposite)) {
-        sets_.join(a / 3, b / 3);
+    const auto join_if_smooth = [&](const Side& a, const Side& b, bool opposite) {
+      if (a.half != none && b.half != none && smooth(a, b, opposite)) {
+        sets_.join(a.half / 3, b.half / 3);
       }
     };
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -235,22 +292,24 @@ class FaceGrouping {
 
   std::uint32_t apex(std::uint32_t half) const { return half_edge_apex(vertices_, half); }
 
-  bool smooth(std::uint32_t a, std::uint32_t b, bool opposite) const {
-    if (degenerate(a / 3) || degenerate(b / 3)) {
+  bool smooth(const Side& a, const Side& b, bool opposite) const {
+    const std::uint32_t triangle = a.half / 3;
+    const std::uint32_t other = b.half / 3;
+    if (degenerate(triangle) || degenerate(other)) {
       return false;
     }
-    const glm::dvec3 turned = opposite ? normals_[b / 3] : -normals_[b / 3];
-    const auto tilts = [&] { return tilt(a / 3) + tilt(b / 3); };
-    if (crease_.joins(normals_[a / 3], turned, tilts)) {
+    const glm::dvec3 turned = opposite ? normals_[other] : -normals_[other];
+    const auto tilts = [&] { return tilt(triangle) + tilt(other); };
+    if (crease_.joins(normals_[triangle], turned, tilts)) {
       return true;
     }
     if (authored_normals_.empty()) {
       return false;
     }
-    const std::uint32_t a_end = next_corner(a);
-    const std::uint32_t b_end = next_corner(b);
-    return opposite ? same_normals(a, b_end) && same_normals(a_end, b)
-                    : same_normals(a, b) && same_normals(a_end, b_end);
+    const double b_start = opposite ? b.to : b.from;
+    const double b_end = opposite ? b.from : b.to;
+    return same_normals(authored_normal(a.half, a.from), authored_normal(b.half, b_start)) &&
+           same_normals(authored_normal(a.half, a.to), authored_normal(b.half, b_end));
   }
 
   double tilt(std::uint32_t triangle) const {
@@ -258,20 +317,17 @@ class FaceGrouping {
     return rounding_tilt({positions_[t.x], positions_[t.y], positions_[t.z]});
   }
 
-  static std::uint32_t next_corner(std::uint32_t corner) {
-    return corner % 3 == 2 ? corner - 2 : corner + 1;
-  }
-
   // False if either is zero or not finite.
-  bool same_normals(std::uint32_t corner, std::uint32_t other) const {
-    const glm::dvec3 a(authored_normal(corner));
-    const glm::dvec3 b(authored_normal(other));
+  bool same_normals(const glm::dvec3& a, const glm::dvec3& b) const {
     const double lengths = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
     return lengths > 0.0 && std::isfinite(lengths) && glm::dot(a, b) >= same_normal_ * lengths;
   }
 
-  const glm::vec3& authored_normal(std::uint32_t corner) const {
-    return authored_normals_[half_edge_start(triangles_, corner)];
+  // At a point of a half-edge, in parts of its length.
+  glm::dvec3 authored_normal(std::uint32_t half, double at) const {
+    const glm::dvec3 from(authored_normals_[half_edge_start(triangles_, half)]);
+    const glm::dvec3 to(authored_normals_[half_edge_end(triangles_, half)]);
+    return at == 0.0 ? from : (at == 1.0 ? to : glm::mix(from, to, at));
   }
 
   void adopt_through_vertices(std::vector<bool>& is_settled) {
@@ -320,6 +376,7 @@ class FaceGrouping {
   DisjointSets sets_;
   std::mutex adding_;
   std::vector<TriangleCopy> copies_;
+  std::vector<std::uint32_t> open_;  // half-edges that are the only ones of their edges
 };
 
 std::vector<std::uint32_t> numbered(FaceGrouping& grouping, std::size_t triangles) {
