@@ -114,9 +114,11 @@ TEST_CASE("joined primitives have the name of the first, and others keep theirs"
 TEST_CASE("primitives at an angle are one if their normals say so", "[io][gltf][join]") {
   const bool smooth = GENERATE(false, true);
   Plates plates;
-  const float x = smooth ? 0.7F : 0.0F;
-  const std::size_t flat = plates.vectors({0, 0, 1, -x, 0, 1 - x, -x, 0, 1 - x, 0, 0, 1});
-  const std::size_t wall = plates.vectors({x - 1, 0, x, -1, 0, 0, -1, 0, 0, x - 1, 0, x});
+  const float x = smooth ? -0.7F : 0.0F;  // of the normals at the common edge
+  const float wall_x = smooth ? -0.7F : -1.0F;
+  const std::size_t flat = plates.vectors({0, 0, 1, x, 0, 1 + x, x, 0, 1 + x, 0, 0, 1});
+  const std::size_t wall =
+      plates.vectors({wall_x, 0, 1 + wall_x, -1, 0, 0, -1, 0, 0, wall_x, 0, 1 + wall_x});
   plates.add(left, "", fmt::format(R"(,"NORMAL":{})", flat));
   plates.add(up, "", fmt::format(R"(,"NORMAL":{})", wall));
   CHECK(names(plates.scene()).size() == (smooth ? 1 : 2));
