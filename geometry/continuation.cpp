@@ -48,20 +48,7 @@ Continuation::Continuation(std::span<const glm::dvec3> positions,
   });
 }
 
-bool Continuation::over(const TriangleSide& a, const TriangleSide& b, bool opposite) const {
-  const std::uint32_t triangle = a.half / 3;
-  const std::uint32_t other = b.half / 3;
-  if (degenerate(triangle) || degenerate(other)) {
-    return false;
-  }
-  const glm::dvec3 turned = opposite ? planes_[other] : -planes_[other];
-  const auto tilts = [&] { return tilt(triangle) + tilt(other); };
-  if (crease_.joins(planes_[triangle], turned, tilts)) {
-    return true;
-  }
-  if (normals_.empty()) {
-    return false;
-  }
+bool Continuation::smooth(const TriangleSide& a, const TriangleSide& b, bool opposite) const {
   const double b_start = opposite ? b.to : b.from;
   const double b_end = opposite ? b.from : b.to;
   return same_normals(normal(a.half, a.from), normal(b.half, b_start)) &&

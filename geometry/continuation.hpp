@@ -37,9 +37,20 @@ class Continuation {
 
   /// Do two triangles continue each other over sides at one place? If the sides do not run in
   /// opposite directions, one of the triangles is turned over.
-  bool over(const TriangleSide& a, const TriangleSide& b, bool opposite) const;
+  bool over(const TriangleSide& a, const TriangleSide& b, bool opposite) const {
+    const std::uint32_t triangle = a.half / 3;
+    const std::uint32_t other = b.half / 3;
+    if (degenerate(triangle) || degenerate(other)) {
+      return false;
+    }
+    const glm::dvec3 turned = opposite ? planes_[other] : -planes_[other];
+    const auto tilts = [&] { return tilt(triangle) + tilt(other); };
+    return crease_.joins(planes_[triangle], turned, tilts) ||
+           (!normals_.empty() && smooth(a, b, opposite));
+  }
 
  private:
+  bool smooth(const TriangleSide& a, const TriangleSide& b, bool opposite) const;
   double tilt(std::uint32_t triangle) const;
   bool same_normals(const glm::dvec3& a, const glm::dvec3& b) const;
   glm::dvec3 normal(std::uint32_t half, double at) const;

@@ -52,8 +52,7 @@ class FaceGrouping {
       std::vector<std::uint32_t> open;
       std::vector<EdgeSurface> surfaces;  // of an edge, kept for its memory
       edges_.for_each(begin, end, [&](std::span<const std::uint32_t> uses) {
-        add_copies(vertices_, uses, copies);
-        join_smooth(uses, open, surfaces);
+        join_smooth(uses, open, surfaces, copies);
       });
       join_copies(copies);
       const std::lock_guard lock(adding_);
@@ -114,14 +113,15 @@ class FaceGrouping {
     copies_.insert(copies_.end(), copies.begin(), copies.end());
   }
 
-  // Adds half-edges of edges that only one surface has to `open`.
+  // Adds half-edges of edges that only one surface has to `open`, and copies to `copies`.
   void join_smooth(std::span<const std::uint32_t> uses, std::vector<std::uint32_t>& open,
-                   std::vector<EdgeSurface>& surfaces) {
+                   std::vector<EdgeSurface>& surfaces, std::vector<TriangleCopy>& copies) {
     if (uses.size() == 1) {
       open.push_back(uses.front());
       return;
     }
-    if (uses.size() == 2 && apex(uses[0]) != apex(uses[1]) && !continues_.some_degenerate()) {
+    const bool of_two_surfaces = uses.size() == 2 && apex(uses[0]) != apex(uses[1]);
+    if (of_two_surfaces && !continues_.some_degenerate()) {
       const bool opposite = start(uses[0]) != start(uses[1]);
       if (continues_.over({.half = uses[0]}, {.half = uses[1]}, opposite)) {
         sets_.join(uses[0] / 3, uses[1] / 3);
@@ -129,6 +129,9 @@ class FaceGrouping {
       return;
     }
     const std::uint32_t low = std::min(start(uses.front()), half_edge_end(vertices_, uses.front()));
+    if (!of_two_surfaces) {
+      add_copies(vertices_, uses, copies);
+    }
     surfaces.clear();
     for (const std::uint32_t use : uses) {
       surfaces.push_back(surface({.half = use}, start(use) == low));
