@@ -23,11 +23,16 @@ int longest_axis(const glm::dvec3& size) {
   return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
 }
 
+struct NumberedPoint {
+  glm::dvec3 at;
+  std::uint32_t vertex;
+};
+
 /// Points halved again and again along the longest side of their box.
 class PointTree {
  public:
-  PointTree(std::span<const glm::dvec3> positions, std::vector<std::uint32_t> points)
-      : positions_(positions), points_(std::move(points)), cuts_(points_.size()) {
+  explicit PointTree(std::vector<NumberedPoint> points)
+      : points_(std::move(points)), cuts_(points_.size()) {
     build(0, points_.size());
   }
 
@@ -51,16 +56,17 @@ class PointTree {
     }
     Bounds box;
     for (std::size_t i = begin; i < end; ++i) {
-      box.include(positions_[points_[i]]);
+      box.include(points_[i].at);
     }
-    const glm::dvec3 size = box.max - box.min;
-    const int axis = longest_axis(size);
+    const int axis = longest_axis(box.max - box.min);
     const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t p, std::uint32_t q) {
-      return positions_[p][axis] < positions_[q][axis];
-    });
-    cuts_[middle] = {.axis = axis, .at = positions_[points_[middle]][axis]};
+    const auto point = [&](std::size_t i) {
+      return points_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(
+        point(begin), point(middle), point(end),
+        [axis](const NumberedPoint& p, const NumberedPoint& q) { return p.at[axis] < q.at[axis]; });
+    cuts_[middle] = {.axis = axis, .at = points_[middle].at[axis]};
     build(begin, middle);
     build(middle, end);
   }
@@ -100,8 +106,7 @@ class PointTree {
     return at;
   }
 
-  std::span<const glm::dvec3> positions_;
-  std::vector<std::uint32_t> points_;
+  std::vector<NumberedPoint> points_;
   std::vector<Cut> cuts_;  // before each point that is the first of an upper half
 };
 
@@ -109,7 +114,7 @@ bool finite(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-std::vector<std::uint32_t> ends_of(std::span<const glm::dvec3> positions,
+std::vector<NumberedPoint> ends_of(std::span<const glm::dvec3> positions,
                                    std::span<const glm::uvec3> welded,
                                    std::span<const std::uint32_t> half_edges) {
   std::vector<std::uint32_t> ends;
@@ -120,8 +125,14 @@ std::vector<std::uint32_t> ends_of(std::span<const glm::dvec3> positions,
   }
   std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::erase_if(ends, [&](std::uint32_t end) { return !finite(positions[end]); });
-  return ends;
+  std::vector<NumberedPoint> points;
+  points.reserve(ends.size());
+  for (const std::uint32_t end : ends) {
+    if (finite(positions[end])) {
+      points.push_back({.at = positions[end], .vertex = end});
+    }
+  }
+  return points;
 }
 
 double greatest_coordinate(const Bounds& box) {
@@ -137,19 +148,58 @@ Bounds bounds_of(std::span<const glm::dvec3> positions) {
   return box;
 }
 
+// A vertex on the inside of an edge.
 struct OnEdge {
+  std::size_t edge = 0;  // among the half-edges given
   double t = 0.0;
   double along = 0.0;  // by which they are sorted: exactly, if the vertex is on the edge exactly
   std::uint32_t vertex = 0;
 };
 
-EdgePart part_between(const OnEdge& from, const OnEdge& to, std::uint32_t half) {
-  return {.low = std::min(from.vertex, to.vertex),
-          .high = std::max(from.vertex, to.vertex),
+// Of the edges from `begin` to `end` - 1, in their order; cut short past `most`.
+std::vector<OnEdge> on_edges(std::span<const glm::dvec3> positions,
+                             std::span<const glm::uvec3> welded,
+                             std::span<const std::uint32_t> half_edges, const PointTree& tree,
+                             double tolerance, double reach, std::size_t begin, std::size_t end,
+                             std::size_t most) {
+  std::vector<OnEdge> out;
+  for (std::size_t i = begin; i < end && out.size() <= most; ++i) {
+    const std::uint32_t start = half_edge_start(welded, half_edges[i]);
+    const std::uint32_t stop = half_edge_end(welded, half_edges[i]);
+    const glm::dvec3& a = positions[start];
+    const glm::dvec3& b = positions[stop];
+    const glm::dvec3 edge = b - a;
+    const int axis = longest_axis(glm::abs(edge));
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    tree.near(a, b, reach, [&](const NumberedPoint& point) {
+      const glm::dvec3 to = point.at - a;
+      const double t = glm::dot(to, edge) / glm::dot(edge, edge);
+      const bool is_inside =
+          point.vertex != start && point.vertex != stop &&
+          (tolerance > 0.0 ? t > 0.0 && t < 1.0 && glm::length(to - t * edge) <= tolerance
+                           : exactly_between(point.at, a, b));
+      if (is_inside) {
+        out.push_back({.edge = i,
+                       .t = t,
+                       .along = edge[axis] < 0.0 ? -point.at[axis] : point.at[axis],
+                       .vertex = point.vertex});
+      }
+    });
+    std::sort(out.begin() + first, out.end(), [](const OnEdge& p, const OnEdge& q) {
+      return std::tie(p.along, p.vertex) < std::tie(q.along, q.vertex);
+    });
+  }
+  return out;
+}
+
+EdgePart part_between(std::uint32_t from, double from_t, std::uint32_t to, double to_t,
+                      std::uint32_t half) {
+  return {.low = std::min(from, to),
+          .high = std::max(from, to),
           .half = half,
-          .upwards = from.vertex < to.vertex,
-          .from = from.t,
-          .to = to.t};
+          .upwards = from < to,
+          .from = from_t,
+          .to = to_t};
 }
 
 }  // namespace
@@ -168,59 +218,45 @@ std::vector<EdgePart> edge_parts(std::span<const glm::dvec3> positions,
                                  std::span<const glm::uvec3> welded,
                                  std::span<const std::uint32_t> half_edges, double tolerance,
                                  int threads) {
-  const std::vector<std::uint32_t> ends = ends_of(positions, welded, half_edges);
+  std::vector<NumberedPoint> ends = ends_of(positions, welded, half_edges);
   Bounds box;
-  for (const std::uint32_t end : ends) {
-    box.include(positions[end]);
+  for (const NumberedPoint& end : ends) {
+    box.include(end.at);
   }
   // Beyond what rounding makes of the distance.
   const double reach = std::max(tolerance, 1e-14 * greatest_coordinate(box));
-  const PointTree tree(positions, ends);
-  std::vector<std::vector<EdgePart>> of_parts(
+  const PointTree tree(std::move(ends));
+  const std::size_t most = most_on_edge * half_edges.size();
+  std::vector<std::vector<OnEdge>> found(
       static_cast<std::size_t>(part_count(half_edges.size(), threads)));
-  const std::size_t most = (most_on_edge + 1) * half_edges.size();
   parallel_parts(half_edges.size(), threads, [&](std::size_t begin, std::size_t end, int part) {
-    std::vector<EdgePart>& out = of_parts[static_cast<std::size_t>(part)];
-    std::vector<OnEdge> on_edge;
-    for (std::size_t i = begin; i < end && out.size() <= most; ++i) {
-      const OnEdge start{.t = 0.0, .along = 0.0, .vertex = half_edge_start(welded, half_edges[i])};
-      const OnEdge stop{.t = 1.0, .along = 0.0, .vertex = half_edge_end(welded, half_edges[i])};
-      const glm::dvec3& a = positions[start.vertex];
-      const glm::dvec3& b = positions[stop.vertex];
-      const glm::dvec3 along = b - a;
-      const int axis = longest_axis(glm::abs(along));
-      on_edge.assign(1, start);
-      tree.near(a, b, reach, [&](std::uint32_t vertex) {
-        const glm::dvec3 to = positions[vertex] - a;
-        const double t = glm::dot(to, along) / glm::dot(along, along);
-        const bool inside =
-            vertex != start.vertex && vertex != stop.vertex &&
-            (tolerance > 0.0 ? t > 0.0 && t < 1.0 && glm::length(to - t * along) <= tolerance
-                             : exactly_between(positions[vertex], a, b));
-        if (inside) {
-          const double at = positions[vertex][axis];
-          on_edge.push_back({.t = t, .along = along[axis] < 0.0 ? -at : at, .vertex = vertex});
-        }
-      });
-      std::sort(on_edge.begin() + 1, on_edge.end(), [](const OnEdge& p, const OnEdge& q) {
-        return std::tie(p.along, p.vertex) < std::tie(q.along, q.vertex);
-      });
-      on_edge.push_back(stop);
-      for (std::size_t k = 1; k < on_edge.size(); ++k) {
-        out.push_back(part_between(on_edge[k - 1], on_edge[k], half_edges[i]));
-      }
-    }
+    found[static_cast<std::size_t>(part)] =
+        on_edges(positions, welded, half_edges, tree, tolerance, reach, begin, end, most);
   });
-  std::vector<EdgePart> all;
-  for (const std::vector<EdgePart>& parts : of_parts) {
-    all.insert(all.end(), parts.begin(), parts.end());
+  std::vector<OnEdge> inside;
+  for (const std::vector<OnEdge>& of_part : found) {
+    inside.insert(inside.end(), of_part.begin(), of_part.end());
   }
-  if (all.size() > most) {
+  if (inside.empty() || inside.size() > most) {
     return {};
   }
+  std::vector<EdgePart> parts;
+  parts.reserve(half_edges.size() + inside.size());
+  auto next = inside.begin();
+  for (std::size_t i = 0; i < half_edges.size(); ++i) {
+    std::uint32_t from = half_edge_start(welded, half_edges[i]);
+    double from_t = 0.0;
+    for (; next != inside.end() && next->edge == i; ++next) {
+      parts.push_back(part_between(from, from_t, next->vertex, next->t, half_edges[i]));
+      from = next->vertex;
+      from_t = next->t;
+    }
+    parts.push_back(
+        part_between(from, from_t, half_edge_end(welded, half_edges[i]), 1.0, half_edges[i]));
+  }
   std::ranges::sort(
-      all, {}, [](const EdgePart& part) { return std::tuple(part.low, part.high, part.half); });
-  return all;
+      parts, {}, [](const EdgePart& part) { return std::tuple(part.low, part.high, part.half); });
+  return parts;
 }
 
 }  // namespace raycat

@@ -24,8 +24,9 @@ struct EdgePart {
 /// Half-edges, numbered as `EdgeUses` does, cut at those of their ends that lie on the inside of
 /// others, as where two edges of one triangle's size meet a longer one. A vertex lies on an edge if
 /// it is no farther from it than `tolerance`; with one of 0 it has to lie on it exactly. Sorted by
-/// `low`, `high` and `half`, so that parts of one place follow each other. Empty if that is more
-/// than 64 vertices an edge, as on no surface. The same whatever `threads`.
+/// `low`, `high` and `half`, so that parts of one place follow each other. Empty if no
+/// edge is cut, or if there are more than 64 vertices an edge to cut at, as on no surface. The same
+/// whatever `threads`.
 std::vector<EdgePart> edge_parts(std::span<const glm::dvec3> positions,
                                  std::span<const glm::uvec3> welded,
                                  std::span<const std::uint32_t> half_edges, double tolerance,

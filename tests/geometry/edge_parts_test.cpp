@@ -111,6 +111,10 @@ TEST_CASE("the vertices on an edge are those of a search through all", "[geometr
                                                             : 0U;
       }
     }
+    if (parts.empty()) {
+      RC_ASSERT(std::ranges::all_of(inside, [](const auto& of) { return of.second == 0; }));
+      return;
+    }
     for (const EdgePart& part : parts) {
       RC_ASSERT(part.low < part.high);
       --inside[part.half];
