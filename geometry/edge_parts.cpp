@@ -36,6 +36,9 @@ class PointTree {
     build(0, points_.size());
   }
 
+  /// All points; those near each other are mostly close together.
+  std::span<const NumberedPoint> points() const noexcept { return points_; }
+
   /// Calls `visit` with the points that may be as near to the segment from `a` to `b` as `reach`.
   template <typename Visit>
   void near(const glm::dvec3& a, const glm::dvec3& b, double reach, const Visit& visit) const {
@@ -156,21 +159,43 @@ struct OnEdge {
   std::uint32_t vertex = 0;
 };
 
-// Of the edges from `begin` to `end` - 1, in their order; cut short past `most`.
+// The numbers of half-edges in the order in which the tree has their starts, for the sake of
+// caches.
+std::vector<std::uint64_t> in_order_of(const PointTree& tree, std::span<const glm::uvec3> welded,
+                                       std::span<const std::uint32_t> half_edges,
+                                       std::size_t vertices) {
+  std::vector<std::uint32_t> place(vertices);
+  for (std::uint32_t i = 0; i < tree.points().size(); ++i) {
+    place[tree.points()[i].vertex] = i;
+  }
+  std::vector<std::uint64_t> order(half_edges.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = std::uint64_t{place[half_edge_start(welded, half_edges[i])]} << 32U | i;
+  }
+  std::ranges::sort(order);
+  for (std::uint64_t& entry : order) {
+    entry &= 0xffffffffU;
+  }
+  return order;
+}
+
+// Of the edges that `order` names, cut short past `most`.
 std::vector<OnEdge> on_edges(std::span<const glm::dvec3> positions,
                              std::span<const glm::uvec3> welded,
                              std::span<const std::uint32_t> half_edges, const PointTree& tree,
-                             double tolerance, double reach, std::size_t begin, std::size_t end,
+                             double tolerance, double reach, std::span<const std::uint64_t> order,
                              std::size_t most) {
   std::vector<OnEdge> out;
-  for (std::size_t i = begin; i < end && out.size() <= most; ++i) {
+  for (const std::uint64_t i : order) {
+    if (out.size() > most) {
+      break;
+    }
     const std::uint32_t start = half_edge_start(welded, half_edges[i]);
     const std::uint32_t stop = half_edge_end(welded, half_edges[i]);
     const glm::dvec3& a = positions[start];
     const glm::dvec3& b = positions[stop];
     const glm::dvec3 edge = b - a;
     const int axis = longest_axis(glm::abs(edge));
-    const auto first = static_cast<std::ptrdiff_t>(out.size());
     tree.near(a, b, reach, [&](const NumberedPoint& point) {
       const glm::dvec3 to = point.at - a;
       const double t = glm::dot(to, edge) / glm::dot(edge, edge);
@@ -184,9 +209,6 @@ std::vector<OnEdge> on_edges(std::span<const glm::dvec3> positions,
                        .along = edge[axis] < 0.0 ? -point.at[axis] : point.at[axis],
                        .vertex = point.vertex});
       }
-    });
-    std::sort(out.begin() + first, out.end(), [](const OnEdge& p, const OnEdge& q) {
-      return std::tie(p.along, p.vertex) < std::tie(q.along, q.vertex);
     });
   }
   return out;
@@ -226,12 +248,14 @@ std::vector<EdgePart> edge_parts(std::span<const glm::dvec3> positions,
   // Beyond what rounding makes of the distance.
   const double reach = std::max(tolerance, 1e-14 * greatest_coordinate(box));
   const PointTree tree(std::move(ends));
+  const std::vector<std::uint64_t> order = in_order_of(tree, welded, half_edges, positions.size());
   const std::size_t most = most_on_edge * half_edges.size();
   std::vector<std::vector<OnEdge>> found(
       static_cast<std::size_t>(part_count(half_edges.size(), threads)));
   parallel_parts(half_edges.size(), threads, [&](std::size_t begin, std::size_t end, int part) {
     found[static_cast<std::size_t>(part)] =
-        on_edges(positions, welded, half_edges, tree, tolerance, reach, begin, end, most);
+        on_edges(positions, welded, half_edges, tree, tolerance, reach,
+                 std::span(order).subspan(begin, end - begin), most);
   });
   std::vector<OnEdge> inside;
   for (const std::vector<OnEdge>& of_part : found) {
@@ -240,6 +264,9 @@ std::vector<EdgePart> edge_parts(std::span<const glm::dvec3> positions,
   if (inside.empty() || inside.size() > most) {
     return {};
   }
+  std::ranges::sort(inside, {}, [](const OnEdge& point) {
+    return std::tuple(point.edge, point.along, point.vertex);
+  });
   std::vector<EdgePart> parts;
   parts.reserve(half_edges.size() + inside.size());
   auto next = inside.begin();
