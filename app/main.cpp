@@ -71,6 +71,11 @@ void add_common(CLI::App& command, CommonOptions& options) {
           "Mesh triangles meeting at a smaller angle are one face; 30 by default")
       ->type_name("DEGREES")
       ->check(number_in(0.0, 180.0));
+  add_choice<bool>(command, "--join-primitives", options.load.join_primitives,
+                   {{"on", true}, {"off", false}},
+                   "Primitives of a glTF mesh that continue each other, of one material, are one: "
+                   "on (default) or off")
+      ->type_name("on|off");
   command
       .add_option("--exposure", options.load.exposure,
                   "glTF's own lights count 2^EV times; 0 by default")

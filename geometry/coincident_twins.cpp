@@ -62,7 +62,8 @@ void add_copies(std::span<const glm::uvec3> welded, std::span<const std::uint32_
   }
   const std::uint32_t high =
       std::max(half_edge_start(welded, uses.front()), half_edge_end(welded, uses.front()));
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // apex, half-edge
+  thread_local std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // apex, half-edge
+  above.clear();
   for (const std::uint32_t use : uses) {
     if (const std::uint32_t apex = half_edge_apex(welded, use); apex > high) {
       above.emplace_back(apex, use);

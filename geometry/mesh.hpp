@@ -28,9 +28,9 @@ Bounds bounds(const TriangleMesh& mesh);
 /// of the mesh, so that a far one loses nothing.
 double signed_volume(const TriangleMesh& mesh);
 
-/// A mesh that encloses a volume: every edge is shared by as many triangles that run along it
-/// one way as the other. Overlapping shells are united, and a shell turned inside out is a
-/// cavity (the solid is where the winding number is positive).
+/// A mesh that encloses a volume: every edge is shared by as many triangles that run along it one
+/// way as the other, if need be cut at vertices exactly on it. Overlapping shells are united, and
+/// one turned inside out is a cavity (the solid is where the winding number is positive).
 class ClosedMesh {
  public:
   /// Equal positions are taken as one vertex. Throws `std::invalid_argument` if the mesh has no

@@ -24,16 +24,16 @@ struct MeshFaces {
   std::vector<std::uint32_t> twins;  ///< as `coincident_twins` has them
 };
 
-/// Joins triangles into faces. Two
-/// triangles that share an edge, once equal positions are welded, are of one face when the
-/// authored normals agree at both ends of the edge within `rule.same_normal`, or the angle
-/// between their planes is under `rule.crease` (`Crease` says what is with one that equals it). An
-/// edge of three or more triangles joins those pairs that run along it in opposite directions; two
-/// triangles that run along it the same way are compared with one of them turned over, and an edge
-/// of more than 64 joins none. Triangles on the same three points are of one face and count once,
-/// whichever way round. Degenerate triangles belong to the face of a neighbour, and join nothing.
-/// `normals` holds one a position, or nothing. Indices must be in range. The faces are the same
-/// whatever `threads`.
+/// Joins triangles into faces. Two that share an edge, once equal positions are welded, are of one
+/// face when the authored normals agree at both ends within `rule.same_normal`, or the angle of the
+/// planes is under `rule.crease` (see `Crease`). An edge of three or more joins those pairs that
+/// run along it in opposite directions; of two that run along it the same way one is turned over;
+/// an edge of more than 64 joins none. Triangles on the same three points are of one face and count
+/// once, whichever way round. Edges that only one triangle has are cut at each other's ends where
+/// these lie on them (`edge_parts`), and the parts compared. Degenerate triangles belong to the
+/// face of a neighbour, and join nothing. `normals` holds one a position, or nothing. Indices must
+/// be in range.
+/// The faces are the same whatever `threads`.
 MeshFaces group_faces(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles,
                       std::span<const glm::vec3> normals, const FaceRule& rule = {},
                       int threads = 1);

@@ -1,16 +1,19 @@
 #include "geometry/watertight.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "geometry/closed_edges.hpp"
 #include "geometry/edge_uses.hpp"
 #include "geometry/weld.hpp"
 
@@ -77,33 +80,64 @@ void leave_out_unused_positions(TriangleMesh& mesh) {
   }
 }
 
-void check_edges(const TriangleMesh& mesh) {
-  const EdgeUses edges(mesh.triangles, mesh.positions.size());
-  std::size_t bad = 0;
-  std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
-  bool first_is_open = false;
-  edges.for_each([&](std::span<const std::uint32_t> uses) {
-    std::ptrdiff_t balance = 0;
-    for (const std::uint32_t half : uses) {
-      const bool upwards =
-          half_edge_start(mesh.triangles, half) < half_edge_end(mesh.triangles, half);
-      balance += upwards ? 1 : -1;
-    }
-    if (balance != 0) {
-      ++bad;
-      if (uses.front() < first) {
-        first = uses.front();
-        first_is_open = uses.size() == 1;
+// A side of a triangle from a corner to the next, with the vertices between them.
+struct Side {
+  std::uint32_t corner = 0;
+  std::span<const std::uint32_t> inside;
+};
+
+// Triangles that have each vertex of the sides as a corner, none of them without area.
+void cut(const Side& ab, const Side& bc, const Side& ca, std::vector<glm::uvec3>& out) {
+  if (!ab.inside.empty()) {
+    const std::size_t half = ab.inside.size() / 2;
+    const std::uint32_t middle = ab.inside[half];
+    cut({.corner = ab.corner, .inside = ab.inside.first(half)}, {.corner = middle, .inside = {}},
+        ca, out);
+    cut({.corner = middle, .inside = ab.inside.subspan(half + 1)}, bc,
+        {.corner = ca.corner, .inside = {}}, out);
+  } else if (!bc.inside.empty() || !ca.inside.empty()) {
+    cut(bc, ca, ab, out);
+  } else {
+    out.emplace_back(ab.corner, bc.corner, ca.corner);
+  }
+}
+
+void cut_triangles(TriangleMesh& mesh, std::vector<EdgePart> parts) {
+  std::ranges::sort(parts, {},
+                    [](const EdgePart& part) { return std::pair(part.half, part.from); });
+  std::vector<glm::uvec3> triangles;
+  std::vector<std::uint32_t> faces;
+  auto next = parts.begin();
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::array<std::vector<std::uint32_t>, 3> inside;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      for (; next != parts.end() && next->half == 3 * i + k; ++next) {
+        if (next->from_vertex() != half_edge_start(mesh.triangles, next->half)) {
+          inside[k].push_back(next->from_vertex());
+        }
       }
     }
-  });
-  if (bad != 0) {
-    throw std::invalid_argument(
-        fmt::format("edge {} to {} is {}; {} open or inconsistently oriented",
-                    place(mesh.positions[half_edge_start(mesh.triangles, first)]),
-                    place(mesh.positions[half_edge_end(mesh.triangles, first)]),
-                    first_is_open ? "open" : "inconsistently oriented",
-                    bad == 1 ? std::string("1 edge is") : fmt::format("{} edges are", bad)));
+    const glm::uvec3& t = mesh.triangles[i];
+    cut({.corner = t.x, .inside = inside[0]}, {.corner = t.y, .inside = inside[1]},
+        {.corner = t.z, .inside = inside[2]}, triangles);
+    faces.resize(triangles.size(), mesh.faces[i]);
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.faces = std::move(faces);
+}
+
+void close_edges(TriangleMesh& mesh) {
+  EdgeBalance balance = edge_balance(mesh.positions, mesh.triangles);
+  if (balance.bad != 0) {
+    throw std::invalid_argument(fmt::format(
+        "edge {} to {} is {}; {} open or inconsistently oriented",
+        place(mesh.positions[half_edge_start(mesh.triangles, balance.first)]),
+        place(mesh.positions[half_edge_end(mesh.triangles, balance.first)]),
+        balance.is_open ? "open" : "inconsistently oriented",
+        balance.bad == 1 ? std::string("1 edge is") : fmt::format("{} edges are", balance.bad)));
+  }
+  if (!balance.cut.empty()) {
+    cut_triangles(mesh, std::move(balance.cut));
   }
 }
 
@@ -145,7 +179,7 @@ TriangleMesh watertight(TriangleMesh mesh) {
     throw std::invalid_argument("the mesh has no volume");
   }
   leave_out_unused_positions(mesh);
-  check_edges(mesh);
+  close_edges(mesh);
   check_volume(mesh);
   return mesh;
 }

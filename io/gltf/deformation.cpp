@@ -88,7 +88,7 @@ class Deformation {
     }
   }
 
-  std::shared_ptr<const SurfaceMesh> finish() {
+  std::shared_ptr<SurfaceMesh> finish() {
     for (const glm::dvec3& position : mesh_->triangles.positions) {
       if (!(glm::dot(position, position) < 1e300)) {
         fail("its pose puts a vertex at no finite place");
@@ -161,10 +161,9 @@ std::vector<glm::dmat4> joint_matrices(const GltfDocument& document, std::size_t
   return matrices;
 }
 
-std::shared_ptr<const SurfaceMesh> deformed(const GltfDocument& document, std::size_t mesh,
-                                            const GltfPrimitive& rest,
-                                            std::span<const double> weights,
-                                            std::span<const glm::dmat4> joints) {
+std::shared_ptr<SurfaceMesh> deformed(const GltfDocument& document, std::size_t mesh,
+                                      const GltfPrimitive& rest, std::span<const double> weights,
+                                      std::span<const glm::dmat4> joints) {
   Deformation deformation(document, mesh, rest);
   deformation.morph(weights);
   if (!joints.empty()) {

@@ -19,9 +19,8 @@ std::vector<glm::dmat4> joint_matrices(const GltfDocument& document, std::size_t
 /// A primitive's mesh with its morph targets added by `weights`, those that are missing being 0,
 /// and then moved by its skin; `joints` may be empty for none. Faces stay those of `rest`. Throws
 /// `LoadError` where the attributes do not fit the mesh.
-std::shared_ptr<const SurfaceMesh> deformed(const GltfDocument& document, std::size_t mesh,
-                                            const GltfPrimitive& rest,
-                                            std::span<const double> weights,
-                                            std::span<const glm::dmat4> joints);
+std::shared_ptr<SurfaceMesh> deformed(const GltfDocument& document, std::size_t mesh,
+                                      const GltfPrimitive& rest, std::span<const double> weights,
+                                      std::span<const glm::dmat4> joints);
 
 }  // namespace raycat

@@ -20,23 +20,27 @@
 namespace raycat {
 namespace {
 
-std::vector<const TriangleMesh*> triangles(const GltfMesh& mesh) {
-  std::vector<const TriangleMesh*> triangles;
-  for (const GltfPrimitive& primitive : mesh.primitives) {
-    triangles.push_back(&primitive.mesh->triangles);
+// Those of a mesh with names are counted by these alone.
+std::vector<std::uint32_t> first_faces(const GltfMesh& mesh) {
+  std::vector<std::uint32_t> of_surface;
+  std::uint32_t first = 0;
+  for (const GltfSurface& surface : mesh.surfaces.surfaces) {
+    of_surface.push_back(mesh.names ? 0 : first);
+    first += surface.face_count;
   }
-  return triangles;
+  std::vector<std::uint32_t> out;
+  for (const std::size_t surface : mesh.surfaces.of) {
+    out.push_back(of_surface[surface]);
+  }
+  return out;
 }
 
 }  // namespace
 
 MeshShape closed(const GltfMesh& mesh) {
-  TriangleMesh all = joined(triangles(mesh));
-  if (mesh.names) {
-    all.faces.clear();
-    for (const TriangleMesh* primitive : triangles(mesh)) {
-      all.faces.insert(all.faces.end(), primitive->faces.begin(), primitive->faces.end());
-    }
+  TriangleMesh all;
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    append(all, mesh.primitives[i].mesh->triangles, mesh.first_faces[i]);
   }
   return std::make_shared<const ClosedMesh>(std::move(all));
 }
@@ -127,8 +131,9 @@ GltfMesh GltfMeshes::read(std::size_t number) {
     }
     const GltfMaterial* material =
         from[i].material < 0 ? nullptr : &materials_[static_cast<std::size_t>(from[i].material)];
-    auto primitive = read_primitive(document_, number, i, material, options_,
-                                    mesh.names ? &*mesh.names : nullptr, textures_, budget_);
+    auto primitive =
+        read_primitive(document_, number, i, material, mesh.names ? &*mesh.names : nullptr,
+                       textures_, budget_, options_.threads);
     if (const auto positions = from[i].attributes.find("POSITION");
         positions != from[i].attributes.end()) {
       check_bounds(static_cast<std::size_t>(positions->second));
@@ -137,6 +142,9 @@ GltfMesh GltfMeshes::read(std::size_t number) {
       mesh.primitives.push_back(*std::move(primitive));
     }
   }
+  const SpentTime grouping(budget_.spent().faces);
+  mesh.surfaces = find_faces(mesh.primitives, options_);
+  mesh.first_faces = first_faces(mesh);
   return mesh;
 }
 

@@ -11,14 +11,17 @@
 #include "io/gltf/features.hpp"
 #include "io/gltf/material.hpp"
 #include "io/gltf/primitive.hpp"
+#include "io/gltf/primitive_faces.hpp"
 #include "io/scene/scene_file.hpp"
 #include "tracer/scene.hpp"
 
 namespace raycat {
 
 struct GltfMesh {
-  std::vector<GltfPrimitive> primitives;  ///< those that are made of triangles
-  std::optional<FeatureNames> names;      ///< by which all count their faces, if there are
+  std::vector<GltfPrimitive> primitives;   ///< those that are made of triangles
+  std::optional<FeatureNames> names;       ///< by which all count their faces, if there are
+  GltfSurfaces surfaces;                   ///< what the primitives are if there are no names
+  std::vector<std::uint32_t> first_faces;  ///< of each primitive, among those of the mesh
 };
 
 /// The meshes of a document, each read when it is first asked for and shared by its instances.

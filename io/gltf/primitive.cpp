@@ -45,9 +45,8 @@ class PrimitiveReader {
         place_(fmt::format("meshes[{}]", mesh)),
         path_(fmt::format("primitives[{}]", primitive)) {}
 
-  std::optional<GltfPrimitive> read(const GltfMaterial* material, const LoadOptions& options,
-                                    const FeatureNames* names, GltfTextures& textures,
-                                    LoadBudget& budget) {
+  std::optional<GltfPrimitive> read(const GltfMaterial* material, const FeatureNames* names,
+                                    GltfTextures& textures, LoadBudget& budget) {
     const auto positions = attribute("POSITION", 3, 3);
     if (!positions) {
       warn("has no positions and is not drawn");
@@ -73,6 +72,7 @@ class PrimitiveReader {
       read_colours(vertices, positions->size(), *mesh);
     }
     const SpentTime grouping(budget.spent().faces);
+    bool has_faces = true;
     if (const auto features =
             feature_ids(document_, mesh_, primitive_, vertices, positions->size())) {
       take_features(*features, names, mesh->triangles);
@@ -89,11 +89,12 @@ class PrimitiveReader {
     } else if (auto outline = authored_outline(document_, mesh_, primitive_, positions->size())) {
       group_between(*std::move(outline), vertices, *mesh);
     } else {
-      group(options.faces, *mesh);
+      has_faces = false;
     }
     const bool deformable = !from_.targets.empty() || from_.attributes.contains("JOINTS_0");
     GltfPrimitive out{.number = primitive_, .triangles = mesh->triangles.triangles.size()};
     out.mesh = std::move(mesh);
+    out.has_faces = has_faces;
     if (from_.material >= 0) {
       out.material = static_cast<std::size_t>(from_.material);
     }
@@ -387,12 +388,6 @@ class PrimitiveReader {
     }
   }
 
-  void group(const FaceRule& rule, SurfaceMesh& mesh) const {
-    const TriangleMesh& triangles = mesh.triangles;
-    take_faces(group_faces(triangles.positions, triangles.triangles, mesh.normals, rule, threads_),
-               mesh);
-  }
-
   // The outline is of the file's vertices, and lines between those that no triangle uses are none.
   void group_between(std::vector<glm::uvec2> outline, const std::vector<std::uint32_t>& vertices,
                      SurfaceMesh& mesh) const {
@@ -407,11 +402,8 @@ class PrimitiveReader {
       }
     }
     const TriangleMesh& triangles = mesh.triangles;
-    take_faces(group_faces_between(triangles.positions, triangles.triangles, outline, threads_),
-               mesh);
-  }
-
-  static void take_faces(MeshFaces found, SurfaceMesh& mesh) {
+    MeshFaces found =
+        group_faces_between(triangles.positions, triangles.triangles, outline, threads_);
     mesh.triangles.faces = std::move(found.faces);
     mesh.twins = std::move(found.twins);
     count_faces(mesh.triangles);
@@ -438,10 +430,10 @@ class PrimitiveReader {
 
 std::optional<GltfPrimitive> read_primitive(GltfDocument& document, std::size_t mesh,
                                             std::size_t primitive, const GltfMaterial* material,
-                                            const LoadOptions& options, const FeatureNames* names,
-                                            GltfTextures& textures, LoadBudget& budget) {
-  return PrimitiveReader(document, mesh, primitive, options.threads)
-      .read(material, options, names, textures, budget);
+                                            const FeatureNames* names, GltfTextures& textures,
+                                            LoadBudget& budget, int threads) {
+  return PrimitiveReader(document, mesh, primitive, threads)
+      .read(material, names, textures, budget);
 }
 
 }  // namespace raycat

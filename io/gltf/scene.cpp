@@ -178,19 +178,14 @@ class SceneReader {
     assembly_.add_object(name);
     for (const Affine& transform : transforms) {
       take_instance(node, mesh);
-      const std::optional<SurfaceId> named =
-          mesh.names ? std::optional(add_named(*mesh.names)) : std::nullopt;
+      const auto first = static_cast<std::uint32_t>(out.scene.surfaces.faces());
+      add_surfaces(mesh, name);
       for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
         const GltfPrimitive& primitive = mesh.primitives[i];
-        const SurfaceId first =
-            named ? *named
-                  : assembly_.add_primitive(
-                        mesh.primitives.size() == 1 ? name : fmt::format("{}.{}", name, i),
-                        primitive.mesh->triangles.face_count);
         out.scene.meshes.push_back({.mesh = primitive.mesh,
                                     .transform = transform,
                                     .material = material(primitive.material),
-                                    .first_face = first});
+                                    .first_face = SurfaceId{first + mesh.first_faces[i]}});
         out.triangles += primitive.triangles;
       }
     }
@@ -204,13 +199,19 @@ class SceneReader {
     }
   }
 
-  // Adds the primitives of a mesh that says what they are, and returns the first face.
-  SurfaceId add_named(const FeatureNames& names) {
-    const SurfaceId first{static_cast<std::uint32_t>(assembly_.out.scene.surfaces.faces())};
-    for (const FeatureNames::Primitive& primitive : names.primitives) {
-      assembly_.add_primitive(primitive.name, primitive.faces);
+  void add_surfaces(const GltfMesh& mesh, const std::string& name) {
+    if (mesh.names) {
+      for (const FeatureNames::Primitive& primitive : mesh.names->primitives) {
+        assembly_.add_primitive(primitive.name, primitive.faces);
+      }
+      return;
     }
-    return first;
+    const std::vector<GltfSurface>& surfaces = mesh.surfaces.surfaces;
+    for (const GltfSurface& surface : surfaces) {
+      assembly_.add_primitive(
+          surfaces.size() == 1 ? name : fmt::format("{}.{}", name, surface.first_primitive),
+          surface.face_count);
+    }
   }
 
   void read_solid(std::size_t node, const NodeExtras& extras) {

@@ -5,20 +5,25 @@
 #include <map>
 #include <vector>
 
-#include "geometry/edge_uses.hpp"
+#include "geometry/closed_edges.hpp"
 #include "geometry/weld.hpp"
 
 namespace raycat {
 namespace {
 
 bool encloses_volume(const std::vector<const MeshInstance*>& instances) {
+  // Where all are placed alike they are looked at before that, since it rounds.
+  const Affine& first_place = instances.front()->transform;
+  const bool alike = std::ranges::all_of(instances, [&](const MeshInstance* instance) {
+    return instance->transform.matrix() == first_place.matrix();
+  });
   std::vector<glm::dvec3> positions;
   std::vector<glm::uvec3> triangles;
   for (const MeshInstance* instance : instances) {
     const auto first = static_cast<std::uint32_t>(positions.size());
     const TriangleMesh& from = instance->mesh->triangles;
     for (const glm::dvec3& position : from.positions) {
-      positions.push_back(instance->transform.point(position));
+      positions.push_back(alike ? position : instance->transform.point(position));
     }
     for (const glm::uvec3& triangle : from.triangles) {
       triangles.push_back(triangle + first);
@@ -28,15 +33,7 @@ bool encloses_volume(const std::vector<const MeshInstance*>& instances) {
   for (glm::uvec3& triangle : triangles) {
     triangle = {same[triangle.x], same[triangle.y], same[triangle.z]};
   }
-  bool closed = !triangles.empty();
-  EdgeUses(triangles, positions.size()).for_each([&](std::span<const std::uint32_t> uses) {
-    std::int64_t balance = 0;
-    for (const std::uint32_t half : uses) {
-      balance += half_edge_start(triangles, half) < half_edge_end(triangles, half) ? 1 : -1;
-    }
-    closed = closed && balance == 0;
-  });
-  return closed;
+  return !triangles.empty() && edge_balance(positions, triangles).bad == 0;
 }
 
 }  // namespace

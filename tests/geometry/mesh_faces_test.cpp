@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 
 #include <catch2/catch.hpp>
@@ -206,6 +207,81 @@ TEST_CASE("two triangles that run along an edge the same way are compared with o
 TEST_CASE("the two sides of a sheet stored twice are one face", "[geometry][mesh_faces]") {
   const std::vector<glm::dvec3> points{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
   CHECK(faces_of(points, std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}}, {}) == Faces{0, 0});
+}
+
+// A floor of rows, each cut into quadrilaterals of its own, tilted.
+TriangleMesh bricks(int rows, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> width(0.1, 0.9);
+  TriangleMesh mesh;
+  for (int row = 0; row < rows; ++row) {
+    for (double x = 0.0; x < 10.0;) {
+      const double end = std::min(10.0, x + width(random));
+      const auto n = static_cast<std::uint32_t>(mesh.positions.size());
+      for (const auto& [u, v] : {std::pair(x, row), {end, row}, {end, row + 1}, {x, row + 1}}) {
+        mesh.positions.push_back(glm::dvec3(0.36, 0.48, 0.8) * u +
+                                 glm::dvec3(-0.8, 0.6, 0.0) * (1.0 * v));
+      }
+      mesh.triangles.emplace_back(n, n + 1, n + 2);
+      mesh.triangles.emplace_back(n, n + 2, n + 3);
+      x = end;
+    }
+  }
+  return mesh;
+}
+
+TEST_CASE("a flat floor is one face though its rows are cut differently",
+          "[geometry][mesh_faces]") {
+  TriangleMesh floor = bricks(7, GENERATE(1U, 2U, 3U));
+  const double scale = GENERATE(1e-3, 1.0, 1e4);
+  const double away = GENERATE(0.0, 1.0, 100.0);
+  floor = test::placed(std::move(floor), scale, scale * away * glm::dvec3(0.6, 0.8, -0.3));
+  CHECK(count(faces_of(floor.positions, floor.triangles, {})) == 1);
+  for (glm::dvec3& p : floor.positions) {
+    p = glm::dvec3(glm::vec3(p));
+  }
+  CHECK(count(faces_of(floor.positions, floor.triangles, {})) == 1);
+}
+
+// A triangle below the x axis from 0 to 2, and two above that meet at (1, beside, 0); these rise
+// by `rise`.
+std::vector<glm::dvec3> junction(double beside, double rise) {
+  return {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {1.0, -1.0, 0.0}, {1.0, beside, 0.0}, {1.0, 1.0, rise}};
+}
+
+TEST_CASE("a vertex inside another's edge parts a face only at an angle or a gap",
+          "[geometry][mesh_faces]") {
+  const std::vector<glm::uvec3> triangles{{1, 0, 2}, {0, 3, 4}, {3, 1, 4}};
+  CHECK(faces_of(junction(0.0, 0.0), triangles, {}) == Faces{0, 0, 0});
+  CHECK(faces_of(junction(1e-7, 0.0), triangles, {}) == Faces{0, 0, 0});
+  CHECK(faces_of(junction(1e-4, 0.0), triangles, {}) == Faces{0, 1, 1});
+  CHECK(faces_of(junction(0.0, 0.5), triangles, {}) == Faces{0, 0, 0});
+  CHECK(faces_of(junction(0.0, 0.6), triangles, {}) == Faces{0, 1, 1});
+  SECTION("also where a triangle without area fills it") {
+    const std::vector<glm::uvec3> filled{{1, 0, 2}, {0, 1, 3}, {0, 3, 4}, {3, 1, 4}};
+    CHECK(faces_of(junction(0.0, 0.0), filled, {}) == Faces{0, 0, 0, 0});
+    CHECK(count(faces_of(junction(0.0, 0.6), filled, {})) == 2);
+  }
+  SECTION("or where all are stored twice") {
+    const std::vector<glm::uvec3> twice{{1, 0, 2}, {0, 3, 4}, {3, 1, 4},
+                                        {0, 1, 2}, {0, 4, 3}, {1, 3, 4}};
+    CHECK(faces_of(junction(0.0, 0.0), twice, {}) == Faces{0, 0, 0, 0, 0, 0});
+    CHECK(faces_of(junction(0.0, 0.6), twice, {}) == Faces{0, 1, 1, 0, 1, 1});
+  }
+}
+
+TEST_CASE("normals at a vertex inside an edge are those between the edge's ends",
+          "[geometry][mesh_faces]") {
+  const std::vector<glm::dvec3> points = junction(0.0, 5.0);
+  const std::vector<glm::uvec3> triangles{{1, 0, 2}, {0, 3, 4}, {3, 1, 4}};
+  std::vector<glm::vec3> normals{{-1.0F, 0.0F, 1.0F},
+                                 {1.0F, 0.0F, 1.0F},
+                                 {0.0F, 0.0F, 1.0F},
+                                 {0.0F, 0.0F, 1.0F},
+                                 {0.0F, 0.0F, 1.0F}};
+  CHECK(faces_of(points, triangles, normals) == Faces{0, 0, 0});
+  normals[3] = {0.2F, 0.0F, 1.0F};  // 11 degrees off
+  CHECK(faces_of(points, triangles, normals) == Faces{0, 1, 1});
 }
 
 TEST_CASE("degenerate triangles take a neighbour's face and join nothing",

@@ -147,6 +147,72 @@ TEST_CASE("a lattice of lines along the axes passes each cube of a wall exactly 
   }
 }
 
+// Triangles halved at random at the middle of a side, each without a look at its neighbours.
+TriangleMesh halved_at_random(TriangleMesh mesh, int times, std::uint32_t seed) {
+  std::mt19937 engine(seed);
+  for (int i = 0; i < times; ++i) {
+    const std::size_t which =
+        std::uniform_int_distribution<std::size_t>(0, mesh.triangles.size() - 1)(engine);
+    const glm::uvec3 t = mesh.triangles[which];
+    const int side = std::uniform_int_distribution<int>(0, 2)(engine);
+    const std::uint32_t a = t[side];
+    const std::uint32_t b = t[(side + 1) % 3];
+    const std::uint32_t c = t[(side + 2) % 3];
+    const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
+    mesh.triangles[which] = {a, middle, c};
+    mesh.triangles.emplace_back(middle, b, c);
+    mesh.faces.push_back(mesh.faces[which]);
+  }
+  return mesh;
+}
+
+TEST_CASE("a mesh is closed though vertices lie on edges, exactly", "[geometry][mesh]") {
+  const TriangleMesh box = test::box({-1.0, -2.0, -0.5}, {1.0, 2.0, 0.5});
+  const ClosedMesh whole(box);
+  const int halvings = GENERATE(1, 5, 60, 300);
+  const std::uint32_t seed = GENERATE(1U, 2U);
+  const TriangleMesh mesh = halved_at_random(box, halvings, seed);
+  const ClosedMesh cut(mesh);
+  CHECK(test::volume(cut.mesh()) == 8.0);
+  CHECK(cut.mesh().triangles.size() > mesh.triangles.size());
+  for (const glm::uvec3& t : cut.mesh().triangles) {
+    const auto& p = cut.mesh().positions;
+    CHECK(glm::length(glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x])) > 0.0);
+  }
+  Random random;
+  for (int i = 0; i < 4000; ++i) {
+    const Ray ray = adversarial_ray(cut.mesh(), random);
+    CAPTURE(halvings, seed, i);
+    CHECK(fault(cut, ray).empty());
+    if (i % 2 == 0) {  // and one that meets nothing in particular
+      const Ray any{.origin = random.point(4.0), .direction = random.point(1.0)};
+      const Crossings expected = crossings(whole, any);
+      const Crossings found = crossings(cut, any);
+      REQUIRE(found.size() == expected.size());
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        CHECK(found[k].t == Approx(expected[k].t).margin(1e-12));
+        CHECK(found[k].face == expected[k].face);
+      }
+    }
+  }
+}
+
+TEST_CASE("a vertex that is a bit beside an edge leaves it open", "[geometry][mesh]") {
+  TriangleMesh mesh = halved_at_random(test::box({-1.0, -2.0, -0.5}, {1.0, 2.0, 0.5}), 1, 1);
+  CHECK_NOTHROW(ClosedMesh(mesh));
+  glm::dvec3& middle = mesh.positions.back();
+  middle += glm::dvec3(std::nextafter(1.0, 2.0) - 1.0);
+  CHECK_THROWS_WITH(ClosedMesh(mesh), Catch::Contains("3 edges are open"));
+}
+
+TEST_CASE("a hole stays one though its border has vertices on edges", "[geometry][mesh]") {
+  TriangleMesh mesh = halved_at_random(test::box(glm::dvec3(-1.0), glm::dvec3(1.0)), 20, 3);
+  mesh.triangles.pop_back();
+  mesh.faces.pop_back();
+  CHECK_THROWS_WITH(ClosedMesh(mesh), Catch::Contains("open"));
+}
+
 TEST_CASE("every line enters and leaves in turn, at any scale and place", "[geometry][mesh]") {
   const double scale = GENERATE(1e-6, 1.0, 1e6);
   const double offset = GENERATE(0.0, 3.0, 1e4);  // in sizes of the mesh

@@ -43,9 +43,10 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-inline SceneFile load_text(const std::string& name, std::string_view content) {
+inline SceneFile load_text(const std::string& name, std::string_view content,
+                           const LoadOptions& options = {}) {
   const TemporaryFile file(name, content);
-  return load_scene(file.path());
+  return load_scene(file.path(), options);
 }
 
 /// The message of the error that loading throws, without the folder; empty if none.

@@ -31,6 +31,11 @@ TEST_CASE("the wall of a smooth contour is one face", "[modelling][extrusion]") 
   CHECK(linear_extrusion({{circle(1, 30)}}, {}).face_count == 3);
   CHECK(linear_extrusion({{circle(1, 13)}}, {}).face_count == 3);
   CHECK(linear_extrusion({{circle(1, 12)}}, {}).face_count == 14);  // 30 degrees are a crease
+  Contour typed = circle(10, 12);
+  for (glm::dvec2& corner : typed) {
+    corner = glm::dvec2(std::round(1e4 * corner.x), std::round(1e4 * corner.y)) / 1e4;
+  }
+  CHECK(linear_extrusion({{typed}}, {}).face_count == 14);
   // A half disc, whose contour begins in the middle of the arc.
   Contour half;
   for (int i = 0; i <= 24; ++i) {

@@ -88,6 +88,45 @@ bool has_degenerate_triangle(const TriangleMesh& mesh) {
   return false;
 }
 
+// Is each of the `finer` parts in one of the others?
+bool lie_within(const std::vector<std::uint32_t>& finer,
+                const std::vector<std::uint32_t>& coarser) {
+  std::map<std::uint32_t, std::uint32_t> within;
+  for (std::size_t i = 0; i < finer.size(); ++i) {
+    if (within.emplace(finer[i], coarser[i]).first->second != coarser[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// May an end of a border's edge lie on the inside of another? Or the border is too long to tell.
+bool edges_meet_inside(const TriangleMesh& mesh, const HalfEdges& edges) {
+  std::vector<std::array<glm::dvec3, 2>> border;
+  for (const auto half : edges.halfedges()) {
+    if (edges.is_boundary(half)) {
+      const auto at = [&](HalfEdges::VertexHandle vertex) {
+        return mesh.positions[static_cast<std::size_t>(vertex.idx())];
+      };
+      border.push_back({at(edges.from_vertex_handle(half)), at(edges.to_vertex_handle(half))});
+    }
+  }
+  constexpr std::size_t long_border = 3000;
+  if (border.size() > long_border) {
+    return true;
+  }
+  for (const auto& [a, b] : border) {
+    const double length = glm::distance(a, b);
+    for (const auto& [p, end] : border) {
+      constexpr double near = 1e-3;
+      if (p != a && p != b && glm::distance(a, p) + glm::distance(p, b) < (1.0 + near) * length) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 TEST_CASE("faces are what OpenMesh's half edges join, where a mesh is manifold", "[io][gltf]") {
   const auto folder = corpus() / "gltf";
   if (!std::filesystem::exists(folder)) {
@@ -96,6 +135,7 @@ TEST_CASE("faces are what OpenMesh's half edges join, where a mesh is manifold",
   }
   std::size_t compared = 0;
   std::size_t not_manifold = 0;
+  std::size_t whole_edges = 0;  // of those compared
   for (const auto& path : gltf_files(folder)) {
     SceneFile file;
     try {
@@ -115,15 +155,24 @@ TEST_CASE("faces are what OpenMesh's half edges join, where a mesh is manifold",
         continue;
       }
       INFO(path);
+      const bool may_meet_inside_edges = edges_meet_inside(mesh, edges);
+      whole_edges += may_meet_inside_edges ? 0U : 1U;
       for (const double degrees : {5.0, 30.0, 75.0}) {
         const double crease = degrees * 0.017453292519943295;
-        CHECK(group_faces(mesh.positions, mesh.triangles, {}, {.crease = crease}).faces ==
-              regions(mesh, edges, crease));
+        const auto faces =
+            group_faces(mesh.positions, mesh.triangles, {}, {.crease = crease}).faces;
+        // Between them are only angles that may be the crease itself, but for rounding.
+        constexpr double surely = 31.0 / 32.0;
+        CHECK(lie_within(regions(mesh, edges, surely * crease), faces));
+        if (!may_meet_inside_edges) {
+          CHECK(lie_within(faces, regions(mesh, edges, crease)));
+        }
       }
       ++compared;
     }
   }
   CHECK(compared > 100);
+  CHECK(whole_edges > 60);
   CHECK(not_manifold > 0);
 }
 

@@ -122,6 +122,17 @@ TEST_CASE("hulls and sums of solids", "[io][openscad]") {
   // What is cut away does not count.
   CHECK(along_x("hull() { difference() {" + cube + moved("1", cube) + "} }") == 1.0);
   CHECK(load("hull() {" + cube + moved("5", cube) + "}").scene.surfaces.faces() == 6);
+  // Sides that meet at 30 degrees, the crease, are faces, whichever way they are turned; those at
+  // the two flat sides between meet at 15.
+  const std::string twelve = "cylinder($fn = 12, h = 8, r1 = 10, r2 = 10);";
+  for (const char* const turn :
+       {"[1,0,0,0],[0,1,0,0],[0,0,1,0]", "[0.6,-0.8,0,0],[0.8,0.6,0,0],[0,0,1,0]",
+        "[0.36,0.48,-0.8,0],[-0.8,0.6,0,0],[0.48,0.64,0.6,0]"}) {
+    CAPTURE(turn);
+    const std::string before = std::string("multmatrix([") + turn + ",[0,0,0,1]]) {";
+    const std::string pair = before + twelve + "}" + before + moved("30", twelve) + "}";
+    CHECK(load("hull() {" + pair + "}").scene.surfaces.faces() == 12);
+  }
 }
 
 TEST_CASE("a sum keeps the hole that is larger than what is added", "[io][openscad]") {
