@@ -81,18 +81,29 @@ double Solid::group_length(const Ray& ray) const {
 // it shares with others. Where that makes the leaf end before it begins, the line misses it.
 void Solid::settle(const Ray& ray, std::uint32_t leaf, std::size_t first,
                    Crossings& crossings) const {
-  const double most = shift_ / glm::length(ray.direction);
-  std::size_t kept = first;
+  const double most = shift_ * shift_ / glm::dot(ray.direction, ray.direction);
+  bool ascending = true;
   for (std::size_t k = first; k < crossings.size(); ++k) {
-    Crossing crossing = crossings[k];
+    Crossing& crossing = crossings[k];
     if (const auto place = coincident_.place(leaf, crossing.piece);
         place.surface != CoincidentSurfaces::none) {
-      crossing.t = coincident_.passage(place.surface, ray, crossing.t, crossing.entering, most);
+      const double t =
+          coincident_.passage(place.surface, ray, crossing.t, crossing.entering, infinity);
+      if ((t - crossing.t) * (t - crossing.t) <= most) {
+        crossing.t = t;
+      }
     }
-    if (kept > first && crossing.t < crossings[kept - 1].t) {
+    ascending = ascending && (k == first || crossings[k - 1].t <= crossing.t);
+  }
+  if (ascending) {
+    return;
+  }
+  std::size_t kept = first;
+  for (std::size_t k = first; k < crossings.size(); ++k) {
+    if (kept > first && crossings[k].t < crossings[kept - 1].t) {
       --kept;
     } else {
-      crossings[kept++] = crossing;
+      crossings[kept++] = crossings[k];
     }
   }
   crossings.resize(kept);

@@ -388,6 +388,7 @@ void CoincidentSurfaces::find() {
     places_[first_place_[part] + index] = {.surface = surface.number,
                                            .reversed = joined[i].reversed};
   }
+  places_.shrink_to_fit();
   pieces_ = {};
   parts_ = {};
   transforms_ = {};

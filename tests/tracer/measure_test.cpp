@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
+#include "csg/coincident_leaves.hpp"
 #include "support/scenes.hpp"
 
 namespace raycat {
@@ -64,6 +65,25 @@ TEST_CASE("shapes have the volumes and areas of their formulas, however they sta
   CHECK(found.total.volume->value == one.volume->value);
   CHECK(found.total.volume->error == one.volume->error);
   CHECK(found.total.area->value == one.area->value);
+}
+
+TEST_CASE("a floor is measured where it is no thinner than the tolerance", "[tracer][measure]") {
+  const double angle = GENERATE(0.0, 0.35);
+  const double width = GENERATE(0.5, 0.99, 1.01, 2.0);
+  CAPTURE(angle, width);
+  const auto tray = [&](double gap) {
+    SceneBuilder builder;
+    builder.pair("tray", Operation::difference, Box{{4.0, 1.0, 4.0}}, turned(angle),
+                 Box{{2.0, 2.0, 2.0}}, turned(angle) * at(0.0, 0.5 + gap, 0.0),
+                 builder.material({}));
+    return builder.take();
+  };
+  const Scene flush = tray(0.0);
+  const double tolerance = coincidence_tolerance(bounded_leaves(flush.solids.front().solid.tree()));
+  const SceneMeasurement found = measure(tray(width * tolerance), rays, 1);
+  check(*found.objects.front().volume, 12.0);
+  // Around, above and below, and in the hole.
+  check(*found.objects.front().area, width > 1.0 ? 16.0 + 12.0 + 16.0 + 8.0 + 4.0 : 48.0, 5e-3);
 }
 
 TEST_CASE("a cone's centroid is a quarter of its height above its base", "[tracer][measure]") {
