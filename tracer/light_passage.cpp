@@ -13,15 +13,24 @@ const Material& material_of(const Scene& scene, MaterialId id) {
 
 bool LightPassage::through(const SolidObject& object, const Scene& scene, Solid::Scratch& scratch) {
   const Solid& solid = object.solid;
+  double since = 0.0;  // where the stretch began that `t` ends
+  const glm::vec3* inside = nullptr;
   for (auto met = solid.first(ray_, 0.0, t_end_, scratch); met; met = solid.next(scratch)) {
     const Material& material = material_of(scene, object.materials[met->leaf]);
     light_ *= material.transmission;
-    if (material.absorption != glm::vec3(0.0f)) {
-      cross(material.absorption, met->entering, met->t);
-    }
     if (stopped()) {
       return false;
     }
+    if (met->entering) {
+      inside = &material.absorption;
+      since = met->t;
+    } else {
+      absorb(inside != nullptr ? *inside : material.absorption, since, met->t);
+      inside = nullptr;
+    }
+  }
+  if (inside != nullptr) {
+    absorb(*inside, since, t_end_);
   }
   return true;
 }
@@ -59,7 +68,15 @@ bool LightPassage::first_of_passage(unsigned mesh, float t, float near) {
   return true;
 }
 
-// A ray that starts inside of something is `open_` by less than nothing, and has the way to its end
+void LightPassage::absorb(const glm::vec3& absorption, double begin, double end) {
+  for (int c = 0; c < 3; ++c) {
+    if (absorption[c] != 0.0f) {  // or an endless way would make it no number
+      depth_[c] += absorption[c] * (end - begin);
+    }
+  }
+}
+
+// A ray that starts inside of a mesh is `open_` by less than nothing, and has the way to its end
 // counted.
 glm::vec3 LightPassage::left() const {
   if (depth_ == glm::dvec3(0.0) && open_ == glm::dvec3(0.0)) {

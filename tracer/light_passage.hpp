@@ -38,6 +38,10 @@ class LightPassage {
  private:
   using Passage = std::pair<unsigned, float>;  // mesh and t
 
+  /// Weakens the light by a stretch of the way that is inside.
+  void absorb(const glm::vec3& absorption, double begin, double end);
+
+  /// The same, of a mesh, for one end of a stretch.
   void cross(const glm::vec3& absorption, bool entering, double t) {
     const glm::dvec3 more = entering ? glm::dvec3(absorption) : -glm::dvec3(absorption);
     open_ += more;
@@ -48,8 +52,9 @@ class LightPassage {
   double t_end_;
   glm::vec3 light_{1.0f};  // that surfaces have let through
 
-  // What is absorbed on the way: the absorption of each stretch inside times its length. Boundaries
-  // come in any order, so each adds its own part; `open_` is what the ray ends inside of.
+  // What is absorbed on the way: the absorption of each stretch inside times its length. Triangles
+  // come in any order, so each adds its own part; `open_` is of the meshes that the ray ends inside
+  // of.
   glm::dvec3 depth_{0.0};
   glm::dvec3 open_{0.0};
 
