@@ -230,11 +230,23 @@ void AccelQuery::settle() {
 }
 
 bool AccelQuery::shade(const SolidObject& object, LightPassage& out) {
+  double since = 0.0;  // where the stretch began that the next boundary ends
+  const glm::vec3* inside = nullptr;
   each_boundary(object, [&](const Boundary& met, const SurfaceLayer&) {
     const Material& material = material_of(index_.scene, object.materials[met.leaf]);
-    out.through(material.transmission, material.absorption, met.entering, met.t);
+    out.through(material.transmission);
+    if (met.entering) {
+      inside = &material.absorption;
+      since = met.t;
+    } else {
+      out.absorb(inside != nullptr ? *inside : material.absorption, since, met.t);
+      inside = nullptr;
+    }
     return !out.stopped();
   });
+  if (inside != nullptr && !out.stopped()) {
+    out.absorb(*inside, since, t_end_);
+  }
   return !out.stopped();
 }
 

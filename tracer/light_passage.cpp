@@ -9,7 +9,7 @@ namespace raycat {
 
 void LightPassage::through(const glm::vec3& transmission, const glm::vec3& absorption,
                            bool entering, double t) {
-  light_ *= transmission;
+  through(transmission);
   if (absorption != glm::vec3(0.0f)) {
     cross(absorption, entering, t);
   }
@@ -41,7 +41,15 @@ bool LightPassage::first_of_passage(std::size_t mesh, bool entering, double t, d
   return true;
 }
 
-// A ray that starts inside of something is `open_` by less than nothing, and has the way to its end
+void LightPassage::absorb(const glm::vec3& absorption, double begin, double end) {
+  for (int c = 0; c < 3; ++c) {
+    if (absorption[c] != 0.0f) {  // or an endless way would make it no number
+      depth_[c] += absorption[c] * (end - begin);
+    }
+  }
+}
+
+// A ray that starts inside of a mesh is `open_` by less than nothing, and has the way to its end
 // counted.
 glm::vec3 LightPassage::left() const {
   if (depth_ == glm::dvec3(0.0) && open_ == glm::dvec3(0.0)) {

@@ -20,7 +20,14 @@ class LightPassage {
 
   double t_end() const noexcept { return t_end_; }
 
-  /// Weakens the light by a surface with this transmission, of an object that absorbs inside.
+  /// Weakens the light by a surface with this transmission.
+  void through(const glm::vec3& transmission) { light_ *= transmission; }
+
+  /// Weakens the light by a stretch of the way that is inside of an object.
+  void absorb(const glm::vec3& absorption, double begin, double end);
+
+  /// Weakens the light by a surface of a mesh that absorbs inside, of which surfaces are told in
+  /// any order.
   void through(const glm::vec3& transmission, const glm::vec3& absorption, bool entering, double t);
 
   /// Is this the first triangle reported of one passage into a mesh or out of it? At an edge both
@@ -35,6 +42,7 @@ class LightPassage {
  private:
   using Passage = std::pair<std::size_t, double>;  // mesh and whether it is entered, and t
 
+  // For one end of a stretch inside.
   void cross(const glm::vec3& absorption, bool entering, double t) {
     const glm::dvec3 more = entering ? glm::dvec3(absorption) : -glm::dvec3(absorption);
     open_ += more;
@@ -45,8 +53,9 @@ class LightPassage {
   double t_end_;
   glm::vec3 light_{1.0f};  // that surfaces have let through
 
-  // What is absorbed on the way: the absorption of each stretch inside times its length. Boundaries
-  // come in any order, so each adds its own part; `open_` is what the ray ends inside of.
+  // What is absorbed on the way: the absorption of each stretch inside times its length. Triangles
+  // come in any order, so each adds its own part; `open_` is of the meshes that the ray ends inside
+  // of.
   glm::dvec3 depth_{0.0};
   glm::dvec3 open_{0.0};
 

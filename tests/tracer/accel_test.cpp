@@ -210,6 +210,25 @@ TEST_CASE("light is weakened by the way it goes through what absorbs", "[tracer]
   check(0.25, 10.0, 0.75);  // starts inside
 }
 
+TEST_CASE("light from inside what absorbs to inside what absorbs is weakened by both",
+          "[tracer][accel]") {
+  SceneBuilder builder;
+  const MaterialId murky =
+      builder.material({.transmission = glm::vec3(1.0f), .absorption = glm::vec3(0.5f)});
+  const Shape box = Box{.size = glm::dvec3(2.0)};
+  builder.shape("one", box, at(0, 0, 0), murky)
+      .shape("another", box, at(0, 0, 6), murky)
+      .pair("two of one", Operation::set_union, box, at(9, 0, 0), box, at(9, 0, 6), murky);
+  const Scene scene = builder.take();
+  const Accel accel(scene);
+  Solid::Scratch scratch;
+  for (const double x : {0.3, 9.3}) {
+    const Ray ray{.origin = {x, 0.2, 0.25}, .direction = {0, 0, 2}};  // to z = 6.25
+    CHECK(accel.transmittance(ray, 3.0, scratch).r ==
+          Approx(std::exp(-0.5 * (0.75 + 1.25))).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("where a mask cuts a texture away there is no surface", "[tracer][accel]") {
   SceneBuilder builder;
   const MaterialId leaf = builder.material({.base_texture = TextureMap{}, .alpha_cutoff = 0.5f});
