@@ -68,17 +68,21 @@ std::optional<Hit> Accel::next_at(const Ray& ray, const Hit& hit, Solid::Scratch
 
 glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal) const {
   const glm::dvec3 point = ray.at(hit.t);
-  return point + index_->leave_distance(ray.origin, point) * normal;
+  return point + index_->leave_distance(ray.origin, point, hit.mesh != nullptr) * normal;
 }
 
 Departure Accel::departure(const Ray& ray, const Hit& hit, const glm::dvec3& direction) const {
   if (!hit.layer.shared()) {
     return {};
   }
-  const double reach =
-      index_->layers.place(hit.layer) + 2.0 * index_->leave_distance(ray.origin, ray.at(hit.t));
-  const double rise = std::abs(glm::dot(hit.normal, direction));
-  return {.layer = hit.layer, .reach = reach, .behind = reach / rise};
+  const double reach = index_->layers.place(hit.layer) +
+                       2.0 * index_->leave_distance(ray.origin, ray.at(hit.t), hit.mesh != nullptr);
+  const double outwards = glm::dot(hit.normal, direction);
+  const double rise = std::abs(outwards);
+  return {.layer = hit.layer,
+          .along = hit.layer.along(outwards < 0.0),
+          .reach = reach,
+          .behind = reach / rise};
 }
 
 }  // namespace raycat

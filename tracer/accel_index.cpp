@@ -280,7 +280,7 @@ void Accel::Index::add_user_geometry(std::size_t count, RTCBoundsFunction bounds
 bool Accel::Index::start(AccelQuery& query, RTCRay& out) const {
   const Ray& ray = query.ray();
   // From a little before, so that what is wrong in float hides nothing that the ray starts at.
-  const double before = query.begin - 4.0 * padding / greatest(ray.direction);
+  const double before = query.begin - 4.0 * float_error(ray.origin) / greatest(ray.direction);
   const Interval inside = LineClip(ray)(box, {.begin = before, .end = query.t_end()});
   if (inside.empty()) {
     return false;
@@ -307,9 +307,14 @@ double Accel::Index::on_surface(const glm::dvec3& origin) const {
   return 0x1p8 * double_ulp * std::max(greatest(origin), farthest);
 }
 
-double Accel::Index::leave_distance(const glm::dvec3& origin, const glm::dvec3& point) const {
-  return std::max(0x1p20 * double_ulp * std::max(greatest(point), greatest(origin)),
-                  0x1p10 * double_ulp * farthest);
+double Accel::Index::leave_distance(const glm::dvec3& origin, const glm::dvec3& point,
+                                    bool of_triangle) const {
+  // Planes are met to some of the last digits, a torus is not.
+  const double least =
+      0x1p10 * double_ulp * std::max({greatest(point), greatest(origin), farthest});
+  return of_triangle
+             ? least
+             : std::max(0x1p20 * double_ulp * std::max(greatest(point), greatest(origin)), least);
 }
 
 }  // namespace raycat

@@ -41,11 +41,16 @@ struct Accel::Index {
   /// not before the query's end.
   bool start(AccelQuery& query, RTCRay& out) const;
 
+  /// How wrong Embree may be about what small triangles do at a point of the world.
+  double float_error(const glm::dvec3& point) const {
+    return 8 * float_ulp * greatest(point - centre);
+  }
+
   /// How near a surface is that a ray from `origin` starts on.
   double on_surface(const glm::dvec3& origin) const;
 
   /// How far from a hit at `point` rays start that leave it, seen from `origin`.
-  double leave_distance(const glm::dvec3& origin, const glm::dvec3& point) const;
+  double leave_distance(const glm::dvec3& origin, const glm::dvec3& point, bool of_triangle) const;
 
   struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }

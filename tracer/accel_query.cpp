@@ -19,6 +19,9 @@ constexpr auto float_ulp_up = static_cast<float>(float_ulp);
 // By which a point may lie outside of a triangle, of barycentric coordinates' rounding.
 constexpr double outside = 1e-12;
 
+// Within so many of Embree's errors, a triangle may be met that lies beside the ray.
+constexpr double near_errors = 64.0;
+
 // Of rays and planes: at less, double precision tells which side is met.
 constexpr double least_slope = 1e-3;
 
@@ -112,8 +115,8 @@ double AccelQuery::rise(const SolidObject& object, const Boundary& boundary) con
 template <typename Rise>
 bool AccelQuery::meets(double t, bool entering, const SurfaceLayer& layer, const Rise& rise) const {
   if (layer.shared() && layer.surface == from_.layer.surface &&
-      std::abs(t) * rise() <= from_.reach) {
-    return layer.past(from_.layer, layer.along(entering));
+      layer.along(entering) == from_.along && std::abs(t) * rise() <= from_.reach) {
+    return layer.past(from_.layer, from_.along);
   }
   return t > 0.0 &&
          (t * t * length2_ > index_.near2 || t * rise() > index_.on_surface(ray_.origin));
@@ -121,16 +124,20 @@ bool AccelQuery::meets(double t, bool entering, const SurfaceLayer& layer, const
 
 bool AccelQuery::meets(const TriangleMet& met) const {
   const auto rise = [&] { return met.rise; };
+  if (!meets(met.t, met.entering, layer(met), rise)) {
+    return false;
+  }
   // Next to its start, Embree may have a ray meet a triangle beside the one that it starts on.
-  return meets(met.t, met.entering, layer(met), rise) &&
-         (met.inside || met.t * met.t * length2_ > index_.near2);
+  const double near = near_errors * index_.float_error(ray_.at(met.t));
+  return met.inside || met.t * met.t * length2_ > near * near;
 }
 
 // Does it come before the first so far?
 bool AccelQuery::closer(double t, bool entering, const SurfaceLayer& layer, double rise) const {
   if (layer.shared() && layer.surface == first_layer_.surface &&
+      layer.along(entering) == first_along_ &&
       std::abs(t - t_end_) * rise <= index_.layers.place(layer)) {
-    return first_layer_.past(layer, layer.along(entering));
+    return first_layer_.past(layer, first_along_);
   }
   return t < t_end_;
 }
@@ -158,6 +165,7 @@ bool AccelQuery::offer(const SolidObject& object) {
       boundary_ = met;
       t_end_ = met.t;
       first_layer_ = at;
+      first_along_ = at.along(met.entering);
       slack_ = at.shared() ? index_.layers.place(at) / gained : 0.0;
     }
     return false;
@@ -182,6 +190,7 @@ bool AccelQuery::offer(const TriangleMet& met) {
   triangle_ = met;
   t_end_ = met.t;
   first_layer_ = at;
+  first_along_ = at.along(met.entering);
   slack_ = (2.0 * index_.padding + (at.shared() ? index_.layers.place(at) : 0.0)) / met.rise;
   return true;
 }

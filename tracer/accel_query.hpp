@@ -101,6 +101,7 @@ class AccelQuery {
   double t_end_;
   double slack_ = 0.0;  // up to where before and beyond it, in t, something is not known to be so
   SurfaceLayer first_layer_;
+  bool first_along_ = true;  // the normal of its layer's surface
   const SolidObject* solid_;
   Boundary boundary_;
   TriangleMet triangle_;

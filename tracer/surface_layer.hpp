@@ -21,7 +21,7 @@ struct SurfaceLayer {
   /// Does a ray that goes into the object here, or out of it, go along the surface's normal?
   bool along(bool entering) const noexcept { return entering == (height > 0); }
 
-  /// Does a ray that passes both, the other one along the normal or against it, come here later?
+  /// Does a ray that passes both, along the normal or against it, come here later?
   bool past(const SurfaceLayer& other, bool along_normal) const noexcept {
     return along_normal ? height > other.height : height < other.height;
   }
@@ -30,6 +30,7 @@ struct SurfaceLayer {
 /// Where a ray starts: in free space, or at a hit.
 struct Departure {
   SurfaceLayer layer;
+  bool along = true;    ///< does it go along the normal of the layer's surface?
   double reach = 0.0;   ///< how far from its origin surfaces of the same place may be found
   double behind = 0.0;  ///< and how far behind it, in t
 };

@@ -81,10 +81,6 @@ Tracing::Passing Tracing::pass(const Vec& direction, const Meeting& hit, const V
   if (hit.material->thin || bent) {
     return result;
   }
-  if (rules_.straight_out_of_overlap && !hit.entering && !media.empty() &&
-      media.back().object != hit.object) {
-    return result;
-  }
   // Into what the ray is in behind the place, or before what is opaque there.
   Media beyond(result.media);
   for (const Meeting& next : place) {
@@ -94,7 +90,10 @@ Tracing::Passing Tracing::pass(const Vec& direction, const Meeting& hit, const V
     beyond = with(beyond, next);
   }
   const auto ior = [](const Media& in) { return in.empty() ? 1.0L : in.back().ior; };
-  const Real from = hit.entering ? ior(media) : Real(hit.material->ior);
+  // Out of what is not the innermost, the ray has been in the innermost, and stays there.
+  const bool within = rules_.straight_out_of_overlap && !hit.entering && !media.empty() &&
+                      media.back().object != hit.object;
+  const Real from = hit.entering || within ? ior(media) : Real(hit.material->ior);
   result.direction = refract(direction, normal, from, ior(beyond));
   return result;
 }

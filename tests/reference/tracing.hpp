@@ -17,11 +17,11 @@ struct Traced {
 struct Rules {
   int levels = 8;
   /// A light counts only where O_d or O_s is not zero.
-  bool lights_by_factors = false;
+  bool lights_by_factors = true;
   /// Rays but those to lights pass the back faces of single-sided materials.
-  bool back_faces_unseen = false;
+  bool back_faces_unseen = true;
   /// Leaving an object that is not the innermost which the ray is in changes no direction.
-  bool straight_out_of_overlap = false;
+  bool straight_out_of_overlap = true;
 };
 
 /// Eq. (1) and the ray tree (Section 2.1), recursively, as docs/materials.md has them.

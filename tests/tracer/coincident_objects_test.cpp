@@ -315,6 +315,7 @@ TEST_CASE("small things stand on a floor of a million units with their shadows",
     const glm::dvec3 on(x, uniform(random, -0.99, 0.99), 0.0);
     const Traced traced = trace_at(accel, in(place, on + glm::dvec3(2, 0, 3), on), 1);
     REQUIRE(objects(scene, traced.tree) == std::vector<std::uint32_t>{0});
+    CAPTURE(size, away, turned, x, on.y);
     CHECK(traced.tree[0].lights == (x < 2.0 ? 0 : 1));
     const glm::dvec3 top(uniform(random, -0.99, 0.99), uniform(random, -0.99, 0.99), 1.0);
     const Traced lit = trace_at(accel, in(place, top + glm::dvec3(2, 0, 3), top), 1);
