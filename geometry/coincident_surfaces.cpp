@@ -381,9 +381,9 @@ void CoincidentSurfaces::find() {
                                            .reversed = joined[i].reversed};
   }
   places_.shrink_to_fit();
-  pieces_ = {};
-  parts_ = {};
-  transforms_ = {};
+  pieces_ = std::vector<Piece>();
+  parts_ = std::vector<Part>();
+  transforms_ = std::vector<Affine>();
 }
 
 }  // namespace raycat
