@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -29,8 +30,9 @@ constexpr double rounding = 0x1p-40;
 // the one before only while crossings follow each other within one.
 constexpr double groups_behind = 16.0;
 
-// How far along the line a crossing is moved at most, in tolerances: a line at a smaller angle to
-// two faces than the inverse sees them as they are.
+// How far along the line a crossing is moved onto a surface at most, in distances of the piece that
+// is farthest from its surface: a line at a smaller angle to that than the inverse sees it as it
+// is.
 constexpr double farthest_shift = 1e4;
 
 double extent_of(const Bounds& box) {
@@ -67,29 +69,30 @@ Solid::Solid(CsgTree tree)
       bounds_(set_bounds(tree_).back()),
       leaves_(tree_.leaves()),
       paths_(tree_),
-      index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_of(tree_))) {
-  if (coincident_.any()) {
-    shift_ = farthest_shift * tolerance_of(tree_);
-  }
-}
+      index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_of(tree_))) {}
 
 double Solid::group_length(const Ray& ray) const {
   return rounding * (extent_ + glm::length(ray.origin)) / glm::length(ray.direction);
 }
 
+double Solid::shift(const Ray& ray) const {
+  if (!coincident_.any()) {
+    return 0.0;
+  }
+  return farthest_shift * (coincident_.farthest() / glm::length(ray.direction) + group_length(ray));
+}
+
 // Moves the leaf's crossings, from `first` on, to where the line passes through the surfaces that
 // it shares with others. Where that makes the leaf end before it begins, the line misses it.
-void Solid::settle(const Ray& ray, std::uint32_t leaf, std::size_t first,
-                   Crossings& crossings) const {
-  const double most = shift_ * shift_ / glm::dot(ray.direction, ray.direction);
+void Solid::settle(const Ray& ray, std::uint32_t leaf, std::size_t first, Scratch& scratch) const {
+  Crossings& crossings = scratch.crossings_;
   bool ascending = true;
   for (std::size_t k = first; k < crossings.size(); ++k) {
     Crossing& crossing = crossings[k];
     if (const auto place = coincident_.place(leaf, crossing.piece);
         place.surface != CoincidentSurfaces::none) {
-      const double t =
-          coincident_.passage(place.surface, ray, crossing.t, crossing.entering, infinity);
-      if ((t - crossing.t) * (t - crossing.t) <= most) {
+      const double t = coincident_.passage(place.surface, ray, crossing.t, crossing.entering);
+      if (std::abs(t - crossing.t) <= scratch.shift_) {
         crossing.t = t;
       }
     }
@@ -114,7 +117,7 @@ void Solid::add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& 
   const auto first = static_cast<std::uint32_t>(scratch.crossings_.size());
   bool inside = leaves_.cross_local(leaf, ray, scratch.crossings_);
   if (coincident_.any()) {
-    settle(ray, leaf, first, scratch.crossings_);
+    settle(ray, leaf, first, scratch);
   }
   for (std::uint32_t k = first; k < scratch.crossings_.size(); ++k) {
     const double t = scratch.crossings_[k].t;
@@ -194,6 +197,7 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
     return false;
   }
   scratch.events_.clear();
+  scratch.shift_ = shift(ray);
   scratch.state_.start(paths_);
   // In a large tree most time goes by waiting for memory, so all that the leaves need is asked for
   // before any of it is used.
@@ -235,7 +239,7 @@ std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
   scratch.events_.clear();
   scratch.ray_ = ray;
   scratch.length_ = group_length(ray);
-  scratch.shift_ = shift_ / glm::length(ray.direction);
+  scratch.shift_ = shift(ray);
   scratch.wanted_ = {.begin = begin, .end = end};
   scratch.known_ = {.begin = begin - groups_behind * scratch.length_,
                     .end = end + 2.0 * scratch.length_};

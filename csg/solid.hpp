@@ -82,7 +82,8 @@ class Solid {
  private:
   bool lone() const noexcept { return tree_.leaves().size() == 1 && tree_.nodes().size() == 1; }
   double group_length(const Ray& ray) const;
-  void settle(const Ray& ray, std::uint32_t leaf, std::size_t first, Crossings& crossings) const;
+  double shift(const Ray& ray) const;
+  void settle(const Ray& ray, std::uint32_t leaf, std::size_t first, Scratch& scratch) const;
   void add_leaf(const Ray& ray, std::uint32_t leaf, double begin, Scratch& scratch) const;
   std::optional<Boundary> next_of_lone(Scratch& scratch) const;
   std::optional<Boundary> next_of_tree(Scratch& scratch) const;
@@ -90,7 +91,6 @@ class Solid {
 
   CsgTree tree_;
   double extent_ = 1.0;  // of the coordinates of leaves that are bounded
-  double shift_ = 0.0;   // by how much a crossing may be moved onto a surface, in scene units
   CoincidentSurfaces coincident_;
   Bounds bounds_;
   PackedLeaves leaves_;
@@ -114,11 +114,11 @@ struct Solid::Scratch {
   std::vector<Event> events_;
   std::vector<Event> group_;
   std::vector<std::uint32_t> met_;  // leaves whose boxes the line meets
+  double shift_ = 0.0;              // of a crossing, at most
 
   // From `first` on.
   Ray ray_;
   double length_ = 0.0;  // of a group
-  double shift_ = 0.0;   // of a crossing, at most
   Interval wanted_;
   Interval known_;          // where crossings are looked for
   std::size_t passed_ = 0;  // crossings of a lone shape

@@ -117,9 +117,15 @@ class Table {
       add(surface, key, tolerance, next);
       return {.surface = next};
     }
+    for (const glm::dvec3& sample : piece.samples) {
+      farthest_ = std::max(farthest_, known_[found].surface.distance(sample));
+    }
     return {.surface = known_[found].number,
             .reversed = face_apart(known_[found].surface, surface)};
   }
+
+  // How far pieces are from the surfaces that they have joined, at most.
+  double farthest() const { return farthest_; }
 
   const Surface& operator[](std::uint32_t known) const { return known_[known].surface; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(known_.size()); }
@@ -237,6 +243,7 @@ class Table {
   double size_;
   double tolerance_;
   unsigned levels_;
+  double farthest_ = 0.0;
   std::vector<Known> known_;
   std::vector<Cell> cells_;  // by hash
   std::vector<Entry> entries_;
@@ -324,15 +331,13 @@ void CoincidentSurfaces::add_pieces(const Bounds& where) {
   }
 }
 
-double CoincidentSurfaces::passage(std::uint32_t surface, const Ray& ray, double t, bool inwards,
-                                   double most) const {
+double CoincidentSurfaces::passage(std::uint32_t surface, const Ray& ray, double t,
+                                   bool inwards) const {
   const Ray line{.origin = ray.origin - middle_, .direction = ray.direction};
   const auto* plane = std::get_if<Plane>(&shared_[surface].shape);
-  const double found =
-      plane != nullptr
-          ? plane->passage(line)
-          : std::get_if<CurvedSurface>(&shared_[surface].shape)->passage(line, t, inwards);
-  return std::abs(found - t) <= most ? found : t;
+  return plane != nullptr
+             ? plane->passage(line)
+             : std::get_if<CurvedSurface>(&shared_[surface].shape)->passage(line, t, inwards);
 }
 
 void CoincidentSurfaces::find() {
@@ -374,6 +379,7 @@ void CoincidentSurfaces::find() {
       shared_.push_back({.shape = curved[surface.in_table], .largest = surface.largest});
     }
   }
+  farthest_ = std::max(planes.farthest(), curved.farthest());
   first_place_.assign(any() ? parts_.size() : 0, nowhere);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Known& surface = known[joined[i].surface];
@@ -389,9 +395,9 @@ void CoincidentSurfaces::find() {
                                            .reversed = joined[i].reversed};
   }
   places_.shrink_to_fit();
-  pieces_ = {};
-  parts_ = {};
-  transforms_ = {};
+  pieces_ = std::vector<Piece>();
+  parts_ = std::vector<Part>();
+  transforms_ = std::vector<Affine>();
 }
 
 }  // namespace raycat

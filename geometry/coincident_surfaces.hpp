@@ -71,6 +71,10 @@ class CoincidentSurfaces {
 
   std::uint32_t surfaces() const noexcept { return static_cast<std::uint32_t>(shared_.size()); }
 
+  /// How far any piece is from the surface that it lies in, at most; as good as 0 where all that
+  /// coincides does so but for rounding.
+  double farthest() const noexcept { return farthest_; }
+
   /// The largest piece of a surface, which the surface is the one of.
   PieceId largest(std::uint32_t surface) const noexcept { return shared_[surface].largest; }
 
@@ -80,9 +84,9 @@ class CoincidentSurfaces {
   }
 
   /// Where the line passes through the surface, the same for each of its pieces: next to `t`, where
-  /// it passes through one, `inwards` (of a curved surface) or not. `t` if that is farther than
-  /// `most` from it, as where the line only grazes the surface or the piece.
-  double passage(std::uint32_t surface, const Ray& ray, double t, bool inwards, double most) const;
+  /// it passes through one, `inwards` (of a curved surface) or not. Not a
+  /// finite number if it never does.
+  double passage(std::uint32_t surface, const Ray& ray, double t, bool inwards) const;
 
   Place place(std::uint32_t part, std::uint32_t piece) const noexcept {
     if (part >= first_place_.size() || first_place_[part] == nowhere) {
@@ -126,6 +130,7 @@ class CoincidentSurfaces {
   std::vector<Place> places_;  // part by part, those parts that share anything
   std::vector<std::size_t> first_place_;
   std::vector<Surface> shared_;
+  double farthest_ = 0.0;
 };
 
 }  // namespace raycat

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -57,7 +58,6 @@ LinearSolid::LinearSolid(CsgTree tree) : tree_(std::move(tree)) {
     extent_ = std::max({farthest.x, farthest.y, farthest.z});
   }
   coincident_ = coincident_leaves(tree_);
-  shift_ = farthest_shift * coincidence_tolerance(all);
 }
 
 bool LinearSolid::inside(const Scratch& scratch) const {
@@ -90,6 +90,10 @@ bool LinearSolid::toggle(std::uint32_t leaf, Scratch& scratch) const {
   }
 }
 
+double LinearSolid::group_size(const Ray& ray) const {
+  return rounding * (extent_ + glm::length(ray.origin));
+}
+
 void LinearSolid::gather(const Ray& ray, Scratch& scratch) const {
   const auto leaves = tree_.leaves();
   for (std::uint32_t i = 0; i < leaves.size(); ++i) {
@@ -102,8 +106,11 @@ void LinearSolid::gather(const Ray& ray, Scratch& scratch) const {
       Crossing& crossing = scratch.crossings_[k];
       const auto place = coincident_.place(i, crossing.piece);
       if (place.surface != CoincidentSurfaces::none) {
-        crossing.t = coincident_.passage(place.surface, ray, crossing.t, crossing.entering,
-                                         shift_ / glm::length(ray.direction));
+        const double t = coincident_.passage(place.surface, ray, crossing.t, crossing.entering);
+        const double away = std::abs(t - crossing.t) * glm::length(ray.direction);
+        if (away <= farthest_shift * (coincident_.farthest() + group_size(ray))) {
+          crossing.t = t;
+        }
       }
     }
     // Two that have changed places are none.
@@ -191,8 +198,7 @@ bool LinearSolid::cross(const Ray& ray, Scratch& scratch) const {
   gather(ray, scratch);
   const bool starts_inside = inside(scratch);
 
-  const double group_length =
-      rounding * (extent_ + glm::length(ray.origin)) / glm::length(ray.direction);
+  const double group_length = group_size(ray) / glm::length(ray.direction);
   for (std::size_t begin = 0; begin < scratch.events_.size();) {
     const double last = scratch.events_[begin].t + group_length;
     std::size_t end = begin + 1;

@@ -35,6 +35,7 @@ class LinearSolid {
     bool subtracted = false;  // an odd number of negations up to the root
   };
 
+  double group_size(const Ray& ray) const;  // in scene units
   void gather(const Ray& ray, Scratch& scratch) const;
   bool toggle(std::uint32_t leaf, Scratch& scratch) const;
   void report_group(std::size_t begin, std::size_t end, Scratch& scratch) const;
@@ -42,7 +43,6 @@ class LinearSolid {
 
   CsgTree tree_;
   double extent_ = 1.0;
-  double shift_ = 0.0;  // in scene units
   CoincidentSurfaces coincident_{{}, 0.0};
   std::vector<Gate> gates_;  // one a node
   std::vector<std::uint32_t> leaf_node_;
