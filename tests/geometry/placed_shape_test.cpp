@@ -140,7 +140,9 @@ TEST_CASE("a rigid motion of shape and line together changes no t", "[geometry][
         continue;  // grazes
       }
       for (std::size_t k = 0; k < out.size(); ++k) {
-        RC_ASSERT(std::abs(out[k].t - still[k].t) < 1e-6);
+        // As far from the surface: along a line that nearly grazes it, t may move by more.
+        const double slope = std::abs(glm::dot(glm::normalize(still[k].normal), ray.direction));
+        RC_ASSERT(std::abs(out[k].t - still[k].t) * slope < 1e-8);
         RC_ASSERT(out[k].face == still[k].face);
       }
     }
