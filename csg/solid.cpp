@@ -72,7 +72,8 @@ Solid::Solid(CsgTree tree)
       index_(leaf_reach(tree_, set_bounds(tree_), reach_margin * tolerance_of(tree_))) {}
 
 double Solid::group_length(const Ray& ray) const {
-  return rounding * (extent_ + glm::length(ray.origin)) / glm::length(ray.direction);
+  const glm::dvec3 from = glm::abs(ray.origin);
+  return rounding * (extent_ + from.x + from.y + from.z) / glm::length(ray.direction);
 }
 
 double Solid::shift(const Ray& ray) const {
@@ -234,28 +235,29 @@ bool Solid::cross(const Ray& ray, Scratch& scratch) const {
 
 std::optional<Boundary> Solid::first(const Ray& ray, double begin, double end,
                                      Scratch& scratch) const {
-  scratch.boundaries.clear();
   scratch.crossings_.clear();
+  scratch.wanted_ = {.begin = begin, .end = end};
+  if (lone()) {
+    leaves_.cross_local(0, ray, scratch.crossings_);
+    scratch.passed_ = 0;
+    return next_of_lone(scratch);
+  }
+  scratch.boundaries.clear();
   scratch.events_.clear();
   scratch.ray_ = ray;
   scratch.length_ = group_length(ray);
   scratch.shift_ = shift(ray);
-  scratch.wanted_ = {.begin = begin, .end = end};
   scratch.known_ = {.begin = begin - groups_behind * scratch.length_,
                     .end = end + 2.0 * scratch.length_};
   // Where a crossing may be before it is moved.
   const Interval near{.begin = scratch.known_.begin - scratch.shift_,
                       .end = scratch.known_.end + scratch.shift_};
-  if (lone()) {
-    leaves_.cross_local(0, ray, scratch.crossings_);
-    scratch.passed_ = 0;
-  } else if (LineClip(ray)(bounds_, near).empty()) {
+  if (LineClip(ray)(bounds_, near).empty()) {
     return std::nullopt;
-  } else {
-    scratch.state_.start(paths_);
-    scratch.search_.start(index_, ray, near);
   }
-  return next(scratch);
+  scratch.state_.start(paths_);
+  scratch.search_.start(index_, ray, near);
+  return next_of_tree(scratch);
 }
 
 std::optional<Boundary> Solid::next(Scratch& scratch) const {

@@ -70,7 +70,7 @@ struct Accel::Index {
   Bounds box;              ///< around all that Embree holds, with room for rounding
   double padding = 0.0;    ///< what rounding a ray to float may move it within the box
   double farthest = 0.0;   ///< greatest coordinate within the box
-  double near2 = 0.0;      ///< nearer to its start than the root of it, a ray takes care
+  double near2 = 1e-12;    ///< nearer to its start than the root of it, a ray takes care
   std::vector<std::uint8_t> needs_double;  ///< of which meshes every hit is found in double at once
   std::vector<const SolidObject*> bounded;
   std::vector<const SolidObject*> unbounded;
