@@ -72,17 +72,15 @@ glm::dvec3 Accel::leave(const Ray& ray, const Hit& hit, const glm::dvec3& normal
 }
 
 Departure Accel::departure(const Ray& ray, const Hit& hit, const glm::dvec3& direction) const {
-  if (!hit.layer.shared()) {
-    return {};
+  Departure from{.mesh = hit.mesh, .triangle = hit.triangle, .layer = hit.layer};
+  if (hit.layer.shared()) {
+    const double outwards = glm::dot(hit.normal, direction);
+    from.along = hit.layer.along(outwards < 0.0);
+    from.reach = index_->layers.place(hit.layer) +
+                 2.0 * index_->leave_distance(ray.origin, ray.at(hit.t), hit.mesh != nullptr);
+    from.behind = from.reach / std::abs(outwards);
   }
-  const double reach = index_->layers.place(hit.layer) +
-                       2.0 * index_->leave_distance(ray.origin, ray.at(hit.t), hit.mesh != nullptr);
-  const double outwards = glm::dot(hit.normal, direction);
-  const double rise = std::abs(outwards);
-  return {.layer = hit.layer,
-          .along = hit.layer.along(outwards < 0.0),
-          .reach = reach,
-          .behind = reach / rise};
+  return from;
 }
 
 }  // namespace raycat

@@ -124,23 +124,27 @@ void small_mesh_occluded(const RTCOccludedFunctionNArguments* args) {
   }
 }
 
-// What Embree has found when it calls a filter.
-FloatMet filtered(const RTCFilterFunctionNArguments* args, const AccelQuery& query) {
+// What Embree has found when it calls a filter; none if it is what the ray starts on.
+std::optional<FloatMet> filtered(const RTCFilterFunctionNArguments* args, const AccelQuery& query) {
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const MeshInstance& instance = index_of(args->geometryUserPtr).scene.meshes[hit.geomID];
+  if (query.leaves(&instance, hit.primID)) {
+    return std::nullopt;
+  }
   const glm::vec3 normal(hit.Ng_x, hit.Ng_y, hit.Ng_z);
   const float gained = glm::dot(normal, glm::vec3(query.ray().direction));
-  const MeshInstance& instance = index_of(args->geometryUserPtr).scene.meshes[hit.geomID];
-  return {.instance = &instance,
-          .triangle = hit.primID,
-          .t = query.embree_start +
-               static_cast<double>(reinterpret_cast<const RTCRay*>(args->ray)->tfar),
-          .rise = static_cast<double>(std::abs(gained) / glm::length(normal)),
-          .entering = (gained < 0.0f) != instance.transform.mirrored()};
+  return FloatMet{.instance = &instance,
+                  .triangle = hit.primID,
+                  .t = query.embree_start +
+                       static_cast<double>(reinterpret_cast<const RTCRay*>(args->ray)->tfar),
+                  .rise = static_cast<double>(std::abs(gained) / glm::length(normal)),
+                  .entering = (gained < 0.0f) != instance.transform.mirrored()};
 }
 
 void first_filter(const RTCFilterFunctionNArguments* args) {
   AccelQuery& query = query_of(args->context);
-  if (query.offer(filtered(args, query))) {
+  const std::optional<FloatMet> met = filtered(args, query);
+  if (met && query.offer(*met)) {
     reinterpret_cast<RTCRay*>(args->ray)->tfar = query.reach();
   } else {
     *args->valid = 0;
@@ -150,7 +154,8 @@ void first_filter(const RTCFilterFunctionNArguments* args) {
 void light_filter(const RTCFilterFunctionNArguments* args) {
   AccelQuery& query = query_of(args->context);
   const double near = index_of(args->geometryUserPtr).padding / glm::length(query.ray().direction);
-  if (query.shade(filtered(args, query), *query.light, near)) {
+  const std::optional<FloatMet> met = filtered(args, query);
+  if (!met || query.shade(*met, *query.light, near)) {
     *args->valid = 0;
   }
 }

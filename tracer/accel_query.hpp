@@ -63,6 +63,11 @@ class AccelQuery {
   /// The first.
   std::optional<Hit> first();
 
+  /// Does the ray start on this triangle?
+  bool leaves(const MeshInstance* mesh, std::uint32_t triangle) const noexcept {
+    return from_.mesh == mesh && from_.triangle == triangle;
+  }
+
   /// How far Embree's ray needs to look: up to the first so far and by what may be wrong there.
   float reach() const;
 

@@ -27,8 +27,12 @@ struct SurfaceLayer {
   }
 };
 
+struct MeshInstance;
+
 /// Where a ray starts: in free space, or at a hit.
 struct Departure {
+  const MeshInstance* mesh = nullptr;  ///< of the triangle that it leaves, which is not met again
+  std::uint32_t triangle = 0;
   SurfaceLayer layer;
   bool along = true;    ///< does it go along the normal of the layer's surface?
   double reach = 0.0;   ///< how far from its origin surfaces of the same place may be found

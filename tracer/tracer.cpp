@@ -218,11 +218,15 @@ class Shader {
       return false;
     }
     ++scratch_.rays.shadow;
-    const glm::vec3 passed = accel_.transmittance(
-        {.origin = lifted_, .direction = at.way},
-        light.kind == Light::Kind::directional ? at.distance
-                                               : glm::distance(light.position, lifted_),
-        scratch_.solid, accel_.departure(ray_, hit_, at.way));
+    Departure from = accel_.departure(ray_, hit_, at.way);
+    if (glm::dot(facet_, at.way) <= 0.0) {
+      from.mesh = nullptr;  // an interpolated normal lets light come through the triangle itself
+    }
+    const glm::vec3 passed = accel_.transmittance({.origin = lifted_, .direction = at.way},
+                                                  light.kind == Light::Kind::directional
+                                                      ? at.distance
+                                                      : glm::distance(light.position, lifted_),
+                                                  scratch_.solid, from);
     if (passed == black) {
       return false;
     }
