@@ -293,6 +293,9 @@ double CurvedSurface::passage(const Ray& line, double t, bool inwards) const {
 }
 
 std::uint32_t piece_count(const Shape& shape) {
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
+    return static_cast<std::uint32_t>((*mesh)->mesh().triangles.size());
+  }
   return std::holds_alternative<Capsule>(shape) ? 3 : face_count(shape);
 }
 

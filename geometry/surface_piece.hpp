@@ -63,7 +63,7 @@ struct SurfacePiece {
   std::vector<glm::dvec3> samples;
 };
 
-/// How many pieces the shape has, which is not a mesh.
+/// How many pieces the shape has: numbers of `Crossing::piece`.
 std::uint32_t piece_count(const Shape& shape);
 
 /// Sets `out` to a piece of a shape, relative to `from`. Returns false if there is nothing of it.

@@ -35,12 +35,6 @@ std::vector<Shape> shapes() {
           std::make_shared<const ClosedMesh>(tessellate(Torus{.radius = 1.0, .tube = 0.4}, 0.05))};
 }
 
-std::uint32_t pieces_of(const Shape& shape) {
-  const auto* mesh = std::get_if<MeshShape>(&shape);
-  return mesh != nullptr ? static_cast<std::uint32_t>((*mesh)->mesh().triangles.size())
-                         : piece_count(shape);
-}
-
 bool set(const PlacedShape& shape, std::uint32_t piece, const glm::dvec3& from, SurfacePiece& out) {
   const auto* mesh = std::get_if<MeshShape>(&shape.shape());
   return mesh != nullptr ? set_triangle((*mesh)->mesh(), piece, shape.transform(), from, out)
@@ -53,7 +47,7 @@ TEST_CASE("a crossing lies on the piece that it names, where the line passes thr
   for (const Shape& shape : shapes()) {
     CAPTURE(shape.index());
     std::size_t crossed = 0;
-    std::vector<bool> seen(pieces_of(shape));
+    std::vector<bool> seen(piece_count(shape));
     for (int i = 0; i < 2000; ++i) {
       const glm::dvec3 axis(uniform(random, -1, 1), uniform(random, -1, 1), 1.0);
       const glm::dvec3 at(uniform(random, -4, 4), 3.0, -2.0);
@@ -107,7 +101,7 @@ TEST_CASE("samples lie on their piece, and its width and area are the ones of a 
         shape,
         Affine(glm::scale(glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))),
                           glm::dvec3(-1.5, 1.0, 0.7))));
-    for (std::uint32_t i = 0; i < pieces_of(shape); ++i) {
+    for (std::uint32_t i = 0; i < piece_count(shape); ++i) {
       SurfacePiece piece;
       if (set(placed, i, {0.1, 0.2, 0.3}, piece)) {
         CHECK(piece.samples.size() >= 3);

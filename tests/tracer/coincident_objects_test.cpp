@@ -1,5 +1,8 @@
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -7,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "geometry/coincident_twins.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/sample_meshes.hpp"
 #include "raytree/ray_tree.hpp"
 #include "support/scenes.hpp"
@@ -23,11 +27,17 @@ SurfaceMesh box_mesh(const glm::dvec3& low, const glm::dvec3& high) {
   return {.triangles = test::box(low, high)};
 }
 
-// A box from `low` to `high`, as a solid or as a mesh.
-void add_box(SceneBuilder& builder, bool as_mesh, const std::string& name, const glm::dvec3& low,
+enum class As : std::uint8_t { box, polyhedron, mesh };
+
+As any_of_them() { return GENERATE(As::box, As::polyhedron, As::mesh); }
+
+// A box from `low` to `high`.
+void add_box(SceneBuilder& builder, As as, const std::string& name, const glm::dvec3& low,
              const glm::dvec3& high, const glm::dmat4& place, MaterialId material) {
-  if (as_mesh) {
+  if (as == As::mesh) {
     builder.mesh(name, box_mesh(low, high), place, material);
+  } else if (as == As::polyhedron) {
+    builder.shape(name, std::make_shared<const ClosedMesh>(test::box(low, high)), place, material);
   } else {
     builder.shape(name, Box{.size = high - low}, glm::translate(place, 0.5 * (low + high)),
                   material);
@@ -73,8 +83,8 @@ Ray in(const glm::dmat4& place, const glm::dvec3& from, const glm::dvec3& to) {
 
 TEST_CASE("a glass that stands on a floor is left before the floor is met",
           "[tracer][coincident]") {
-  const bool glass_mesh = GENERATE(false, true);
-  const bool floor_mesh = GENERATE(false, true);
+  const As glass_as = any_of_them();
+  const As floor_as = any_of_them();
   const double size = GENERATE(1.0, 1e-4, 1e5);
   std::mt19937 random(7);
   for (int turn = 0; turn < 8; ++turn) {
@@ -83,8 +93,8 @@ TEST_CASE("a glass that stands on a floor is left before the floor is met",
     const MaterialId glass = builder.material(clear(1.5f));
     const MaterialId stone =
         builder.material({.diffuse = glm::vec3(1.0f), .specular = glm::vec3(0.0f)});
-    add_box(builder, floor_mesh, "floor", {-3, -1, -3}, {3, 0, 3}, place, stone);
-    add_box(builder, glass_mesh, "glass", {-1, 0, -1}, {1, 1, 1}, place, glass);
+    add_box(builder, floor_as, "floor", {-3, -1, -3}, {3, 0, 3}, place, stone);
+    add_box(builder, glass_as, "glass", {-1, 0, -1}, {1, 1, 1}, place, glass);
     Light sun;
     sun.kind = Light::Kind::directional;
     sun.direction = glm::normalize(glm::dvec3(place * glm::dvec4(0, -1, 0, 0)));
@@ -105,8 +115,8 @@ TEST_CASE("a glass that stands on a floor is left before the floor is met",
 
 TEST_CASE("where glass touches water, a ray goes straight from the one into the other",
           "[tracer][coincident]") {
-  const bool glass_mesh = GENERATE(false, true);
-  const bool water_mesh = GENERATE(false, true);
+  const As glass_as = any_of_them();
+  const As water_as = any_of_them();
   const bool water_first = GENERATE(false, true);
   std::mt19937 random(11);
   for (int turn = 0; turn < 8; ++turn) {
@@ -116,16 +126,16 @@ TEST_CASE("where glass touches water, a ray goes straight from the one into the 
     const MaterialId water = builder.material(clear(1.33f));
     const MaterialId stone = builder.material({.emission = glm::vec3(1.0f)});
     const auto add_water = [&] {
-      add_box(builder, water_mesh, "water", {-9, -1, -9}, {9, 0, 9}, place, water);
+      add_box(builder, water_as, "water", {-9, -1, -9}, {9, 0, 9}, place, water);
     };
     if (water_first) {
       add_water();
     }
-    add_box(builder, glass_mesh, "glass", {-9, 0, -9}, {9, 1, 9}, place, glass);
+    add_box(builder, glass_as, "glass", {-9, 0, -9}, {9, 1, 9}, place, glass);
     if (!water_first) {
       add_water();
     }
-    add_box(builder, false, "stone", {-99, -9, -99}, {99, -8, 99}, place, stone);
+    add_box(builder, As::box, "stone", {-99, -9, -99}, {99, -8, 99}, place, stone);
     const Scene scene = builder.take();
     const Accel accel(scene);
     TraceScratch scratch;
@@ -184,7 +194,7 @@ TEST_CASE("water that overlaps its glass somewhat is entered from the glass",
 
 TEST_CASE("of opaque surfaces in one plane the first is seen, and what light passes in front of it",
           "[tracer][coincident]") {
-  const bool wall_mesh = GENERATE(false, true);
+  const As wall_as = any_of_them();
   const double size = GENERATE(1.0, 1e6);
   std::mt19937 random(13);
   for (int turn = 0; turn < 8; ++turn) {
@@ -193,7 +203,7 @@ TEST_CASE("of opaque surfaces in one plane the first is seen, and what light pas
     const MaterialId stone = builder.material({.emission = glm::vec3(1.0f)});
     const MaterialId ink = builder.material({.transmission = glm::vec3(0.5f), .thin = true});
     builder.mesh("sign", square(1.0), place * at(-2, 0, 0), stone);
-    add_box(builder, wall_mesh, "wall", {-9, -9, -1}, {9, 9, 0}, place, stone);
+    add_box(builder, wall_as, "wall", {-9, -9, -1}, {9, 9, 0}, place, stone);
     builder.mesh("late sign", square(1.0), place * at(2, 0, 0), stone);
     builder.mesh("decal", square(1.0), place * at(0, 3, 0), ink);
     const Scene scene = builder.take();
@@ -215,13 +225,13 @@ TEST_CASE("of opaque surfaces in one plane the first is seen, and what light pas
 }
 
 TEST_CASE("a camera on a face looks through it", "[tracer][coincident]") {
-  const bool as_mesh = GENERATE(false, true);
+  const As as = any_of_them();
   std::mt19937 random(17);
   for (int turn = 0; turn < 20; ++turn) {
     const glm::dmat4 place = anywhere(random, std::pow(10.0, turn % 5 - 2));
     SceneBuilder builder;
     const MaterialId stone = builder.material({});
-    add_box(builder, as_mesh, "box", {-1, -1, -1}, {1, 1, 1}, place, stone);
+    add_box(builder, as, "box", {-1, -1, -1}, {1, 1, 1}, place, stone);
     const Scene scene = builder.take();
     const Accel accel(scene);
     Solid::Scratch scratch;
@@ -274,13 +284,13 @@ std::vector<std::uint32_t> path(const Scene& scene, const Ray& ray) {
 }
 
 TEST_CASE("a pane of 2 mm, 5 km out, has a far side", "[tracer][far]") {
-  const bool as_mesh = GENERATE(false, true);
+  const As as = any_of_them();
   const double turned = GENERATE(0.0, 0.3);
   SceneBuilder builder;
   const MaterialId glass = builder.material(clear(1.5f));
   const MaterialId stone = builder.material({});
   const glm::dmat4 place = glm::rotate(at(0, 0, -5000), turned, glm::dvec3(1, 2, 0.5));
-  add_box(builder, as_mesh, "pane", {-1, -1, -0.001}, {1, 1, 0.001}, place, glass);
+  add_box(builder, as, "pane", {-1, -1, -0.001}, {1, 1, 0.001}, place, glass);
   builder.shape("wall", Box{.size = {50, 50, 1}}, at(0, 0, -5010), stone)
       .shape("here", Box{.size = {1, 1, 1}}, at(0, 0, 3), stone);
   const Scene scene = builder.take();
