@@ -15,6 +15,7 @@
 #include "io/export/obj_file.hpp"
 #include "io/export/object_mesh.hpp"
 #include "io/export/ply_file.hpp"
+#include "io/export/simplify.hpp"
 #include "io/export/stl_file.hpp"
 #include "io/files/input_file.hpp"
 #include "io/files/output_file.hpp"
@@ -30,6 +31,10 @@ using Json = nlohmann::ordered_json;
 using Writer = Json (*)(const ConvertOptions& options, SceneFile& file);
 
 Json to_pov(const ConvertOptions& options, SceneFile& file) {
+  if (options.chord_error || options.simplify_error) {
+    throw UsageError(fmt::format("{}: {} is of triangles, which a .pov file has none of",
+                                 options.out, options.chord_error ? "--chord" : "--simplify"));
+  }
   const ImageSize size = parse_size(options.view.size);
   const Camera camera = camera_of(file, options.view, size);
   file.scene = lit(std::move(file.scene), camera);
@@ -50,7 +55,14 @@ void warn_of_absent(const std::vector<ObjectMesh>& objects, SceneFile& file) {
 // Triangles for formats that know nothing else.
 template <typename Write>
 Json to_mesh(const ConvertOptions& options, SceneFile& file, Write&& write) {
-  const std::vector<ObjectMesh> objects = object_meshes(file.scene, options.chord_error);
+  constexpr double chord_error = 1e-3;
+  std::vector<ObjectMesh> objects =
+      object_meshes(file.scene, options.chord_error.value_or(chord_error));
+  if (options.simplify_error) {
+    const std::vector<std::string> lines =
+        simplify(file.scene.surfaces, objects, *options.simplify_error);
+    file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
+  }
   std::size_t triangles = 0;
   std::size_t written = 0;
   for (const ObjectMesh& object : objects) {
@@ -157,6 +169,12 @@ void add_convert(CLI::App& app) {
                    "object; 0.001 by default")
       ->type_name("E")
       ->check(number_in(1e-5, 0.5));
+  command
+      ->add_option("--simplify", options->simplify_error,
+                   "Take vertices out where the surface moves by no more than this, in half "
+                   "diagonals of the object; borders between faces stay")
+      ->type_name("E")
+      ->check(number_in(1e-9, 0.5));
   add_view(*command, options->view);
   command->callback([options] { convert(*options); });
 }

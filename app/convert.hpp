@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/options.hpp"
@@ -12,7 +13,9 @@ struct ConvertOptions {
   CommonOptions common;
   ViewOptions view;  ///< of formats that hold a camera
   std::string out;
-  double chord_error = 1e-3;  ///< of what curved surfaces become, in half diagonals of the object
+  // In half diagonals of the object, and of triangles alone:
+  std::optional<double> chord_error;     ///< of what curved surfaces become
+  std::optional<double> simplify_error;  ///< by which triangles are made fewer; none if not
 };
 
 }  // namespace raycat::app

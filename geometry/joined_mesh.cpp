@@ -1,6 +1,11 @@
 #include "geometry/joined_mesh.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/weld.hpp"
 
 namespace raycat {
 
@@ -34,6 +39,30 @@ TriangleMesh joined(std::span<const TriangleMesh* const> meshes) {
     append(all, *mesh, all.face_count);
   }
   return all;
+}
+
+void weld_corners(TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> same = weld(mesh.positions);
+  std::vector<std::uint32_t> number(same.size());
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    if (same[i] == i) {
+      mesh.positions[kept] = mesh.positions[i];
+      number[i] = kept++;
+    }
+  }
+  mesh.positions.resize(kept);
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    const glm::uvec3 welded(number[same[t.x]], number[same[t.y]], number[same[t.z]]);
+    if (welded.x != welded.y && welded.y != welded.z && welded.z != welded.x) {
+      mesh.triangles[triangles] = welded;
+      mesh.faces[triangles++] = mesh.faces[i];
+    }
+  }
+  mesh.triangles.resize(triangles);
+  mesh.faces.resize(triangles);
 }
 
 }  // namespace raycat

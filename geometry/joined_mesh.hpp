@@ -18,4 +18,8 @@ void append(TriangleMesh& all, const TriangleMesh& mesh, std::uint32_t first_fac
 /// All triangles as one mesh, each mesh's faces after those of the meshes before it.
 TriangleMesh joined(std::span<const TriangleMesh* const> meshes);
 
+/// Leaves each position once, in the order of their first corners, and no triangle that has two
+/// corners at one place.
+void weld_corners(TriangleMesh& mesh);
+
 }  // namespace raycat

@@ -11,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/joined_mesh.hpp"
-#include "geometry/weld.hpp"
 #include "modelling/evaluate.hpp"
 
 namespace raycat {
@@ -124,27 +123,7 @@ TriangleMesh welded_mesh(const ObjectMesh& object) {
   for (const ObjectMesh::Part& part : object.parts) {
     append(all, part.mesh.triangles, 0);
   }
-  const std::vector<std::uint32_t> same = weld(all.positions);
-  std::vector<std::uint32_t> number(same.size());
-  std::uint32_t kept = 0;
-  for (std::size_t i = 0; i < same.size(); ++i) {
-    if (same[i] == i) {
-      all.positions[kept] = all.positions[i];
-      number[i] = kept++;
-    }
-  }
-  all.positions.resize(kept);
-  std::size_t triangles = 0;
-  for (std::size_t i = 0; i < all.triangles.size(); ++i) {
-    const glm::uvec3& t = all.triangles[i];
-    const glm::uvec3 welded(number[same[t.x]], number[same[t.y]], number[same[t.z]]);
-    if (welded.x != welded.y && welded.y != welded.z && welded.z != welded.x) {
-      all.triangles[triangles] = welded;
-      all.faces[triangles++] = all.faces[i];
-    }
-  }
-  all.triangles.resize(triangles);
-  all.faces.resize(triangles);
+  weld_corners(all);
   return all;
 }
 

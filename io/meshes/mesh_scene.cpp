@@ -12,7 +12,8 @@ namespace raycat {
 SceneFile read_mesh_scene(const std::filesystem::path& file, SceneKind kind,
                           const LoadOptions& options) {
   auto mesh = std::make_shared<SurfaceMesh>();
-  mesh->triangles = read_mesh_file(file, kind);
+  MeshFile read = read_mesh_file(file, kind);
+  mesh->triangles = std::move(read.triangles);
   TriangleMesh& triangles = mesh->triangles;
   MeshFaces grouped =
       group_faces(triangles.positions, triangles.triangles, {}, options.faces, options.threads);
@@ -21,6 +22,9 @@ SceneFile read_mesh_scene(const std::filesystem::path& file, SceneKind kind,
   triangles.face_count = 1 + *std::ranges::max_element(triangles.faces);
 
   SceneFile out;
+  if (!read.warning.empty()) {
+    out.warnings.push_back(std::move(read.warning));
+  }
   out.up = kind == SceneKind::stl || kind == SceneKind::off ? glm::dvec3(0.0, 0.0, 1.0)
                                                             : glm::dvec3(0.0, 1.0, 0.0);
   out.triangles = triangles.triangles.size();

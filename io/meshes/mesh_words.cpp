@@ -49,25 +49,31 @@ void split(std::string_view line, MeshWords& words) {
   }
 }
 
-bool is_coordinate(std::string_view word) {
+std::optional<double> read_number(std::string_view word) {
   word.remove_prefix(word.starts_with('+') ? 1 : 0);
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size()) {
-    return false;
+    return std::nullopt;
   }
   // Numbers too small for a double are written by some tools and mean 0.
-  return error == std::errc::result_out_of_range
-             ? is_below_double(word)
-             : error == std::errc() && std::isfinite(static_cast<float>(value));
+  if (error == std::errc::result_out_of_range) {
+    return is_below_double(word) ? std::optional(0.0) : std::nullopt;
+  }
+  return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-void require_coordinates(const MeshWords& words, std::size_t first, std::size_t line) {
-  for (std::size_t i = first; i < first + 3; ++i) {
-    if (i >= words.size() || !is_coordinate(words[i])) {
+glm::dvec3 read_point(const MeshWords& words, std::size_t first, std::size_t line) {
+  glm::dvec3 point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t i = first + static_cast<std::size_t>(axis);
+    const std::optional<double> number = i < words.size() ? read_number(words[i]) : std::nullopt;
+    if (!number || !std::isfinite(static_cast<float>(*number))) {
       refuse_line(line, "a vertex needs three finite numbers");
     }
+    point[axis] = *number;
   }
+  return point;
 }
 
 }  // namespace raycat

@@ -2,9 +2,12 @@
 
 #include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace raycat {
 
@@ -20,11 +23,13 @@ std::string_view take_line(std::string_view& text);
 /// Sets `words` to those of `line`, and keeps its capacity for the next.
 void split(std::string_view line, MeshWords& words);
 
-/// Is it a finite number as a `float`, which is what OpenMesh keeps?
-bool is_coordinate(std::string_view word);
+/// A number in decimal notation; one too small for a double is 0. None if it is something else or
+/// too large.
+std::optional<double> read_number(std::string_view word);
 
-/// Throws `std::invalid_argument` unless `words` has three coordinates from `first` on.
-void require_coordinates(const MeshWords& words, std::size_t first, std::size_t line);
+/// Three numbers of `words` from `first` on. Throws `std::invalid_argument` unless they are there
+/// and finite as a `float`, which is what rays are first tested in.
+glm::dvec3 read_point(const MeshWords& words, std::size_t first, std::size_t line);
 
 template <typename Integer>
 bool read_integer(std::string_view word, Integer& value) {

@@ -42,7 +42,11 @@ std::optional<Primitive> import(Context& context, const Node& node) {
     parameters.fail(fmt::format("reads .stl, .off and .obj, not '{}'", excerpt(file.string())));
   }
   try {
-    return solid_with_faces(context, node, read_mesh_file(file, kind));
+    MeshFile read = read_mesh_file(file, kind);
+    if (!read.warning.empty()) {
+      context.warn(node, fmt::format("'{}' {}", excerpt(file.filename().string()), read.warning));
+    }
+    return solid_with_faces(context, node, std::move(read.triangles));
   } catch (const LoadError& error) {
     parameters.fail(error.what());
   }

@@ -118,6 +118,11 @@ TEST_CASE("what cannot be converted is one line and exit code 2", "[app][convert
       Case{"nothing.csg -o out.glb", "holds no surface that can be made of triangles"},
       Case{"plate.csg -o out.glb --chord 0", "'0' is not a number from 1e-05 to 0.5"},
       Case{"plate.csg -o out.glb --chord nan", "'nan' is not a number from 1e-05 to 0.5"},
+      Case{"plate.csg -o out.glb --simplify 0", "'0' is not a number from 1e-09 to 0.5"},
+      Case{"plate.csg -o out.pov --simplify 0.1",
+           "--simplify is of triangles, which a .pov file has none of"},
+      Case{"plate.csg -o out.pov --chord 0.1",
+           "--chord is of triangles, which a .pov file has none of"},
       Case{"missing.csg -o out.glb", "missing.csg: "});
   const Outcome outcome = shell(
       fmt::format("cd '{}' && '{}' convert {}", folder.path().string(), RAYCAT_PROGRAM, arguments));

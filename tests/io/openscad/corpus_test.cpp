@@ -137,7 +137,7 @@ TEST_CASE("real .csg files are the solids that OpenSCAD evaluates them to", "[io
     }
     const SceneFile scene = load_scene(file);
     std::filesystem::path stl = file;
-    TriangleMesh mesh = read_mesh_file(stl.replace_extension(".stl"), SceneKind::stl);
+    TriangleMesh mesh = read_mesh_file(stl.replace_extension(".stl"), SceneKind::stl).triangles;
     mesh.faces.assign(mesh.triangles.size(), 0);
     mesh.face_count = 1;
     const ClosedMesh reference(std::move(mesh));
