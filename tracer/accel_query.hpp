@@ -55,10 +55,10 @@ class AccelQuery {
   bool offer(const FloatMet& met);
 
   /// Weakens the light by what the ray meets of it; false if nothing is left.
-  bool shade(const SolidObject& object, LightPassage& light);
+  bool shade(const SolidObject& object, LightPassage& out);
   /// `near` as for `LightPassage::first_of_passage`.
-  bool shade(const TriangleMet& met, LightPassage& light, double near);
-  bool shade(const FloatMet& met, LightPassage& light, double near);
+  bool shade(const TriangleMet& met, LightPassage& out, double near);
+  bool shade(const FloatMet& met, LightPassage& out, double near);
 
   /// The first.
   std::optional<Hit> first();
