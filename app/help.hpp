@@ -25,6 +25,12 @@ class GroupedHelp : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* command, std::string name,
                         CLI::AppFormatMode mode) const override;
+
+  /// Without the options that it excludes, which an error names where they meet.
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string text = Formatter::make_option_opts(option);
+    return text.substr(0, text.find(" Excludes:"));
+  }
 };
 
 }  // namespace raycat::app

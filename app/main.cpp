@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <numeric>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <malloc.h>
 
 #include "app/command.hpp"
@@ -30,16 +35,28 @@ CLI::Validator number_in(double low, double high) {
 
 namespace {
 
+// Before a number is read, which would make much of less than 0.
+CLI::Validator unsigned_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const bool begins = !text.empty() && text[0] >= '0' && text[0] <= '9';
+        return begins ? std::string() : fmt::format("'{}' is not a number of 0 or more", text);
+      },
+      "");
+}
+
 void add_limits(CLI::App& command, LoadLimits& limits) {
   start_group(command, groups::limits);
   command
       .add_option("--max-memory", limits.memory,
                   "What a glTF file may hold, as 512M or 2G; half of the machine's by default")
       ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(false));
+      ->transform(CLI::AsSizeValue(false))
+      ->transform(unsigned_number());
   const auto add_count = [&](const char* name, std::uint64_t& limit, const char* of) {
     command.add_option(name, limit, fmt::format("{} a glTF file may have; {}", of, limit))
-        ->type_name("N");
+        ->type_name("N")
+        ->transform(unsigned_number());
   };
   add_count("--max-pixels", limits.pixels, "Pixels that each image of");
   add_count("--max-nodes", limits.nodes, "Nodes");
@@ -125,19 +142,73 @@ int fail(int code, std::string message) {
   return code;
 }
 
+// How many letters must be put in, taken out or changed to make the one of the other.
+std::size_t edits(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t before = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = before + (a[i] == b[j] ? 0 : 1);
+      before = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// A question for the name that was meant; empty if none is like `name`.
+std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
+  const auto far = [&](const std::string& other) { return edits(name, other); };
+  const auto nearest = std::ranges::min_element(known, {}, far);
+  const std::size_t most = std::max<std::size_t>(1, name.size() / 3);
+  return nearest != known.end() && far(*nearest) <= most
+             ? fmt::format(": did you mean {}?", *nearest)
+             : std::string();
+}
+
 // The parser would only say that a subcommand is missing.
 void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return;
   }
-  std::string names;
+  const std::string first = argv[1];
+  std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == argv[1]) {
-      return;
-    }
-    names += (names.empty() ? "" : ", ") + command->get_name();
+    names.push_back(command->get_name());
   }
-  throw UsageError(fmt::format("'{}' is not one of {}; see raycat --help", argv[1], names));
+  if (std::ranges::find(names, first) != names.end()) {
+    return;
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(first, ignored)) {
+    throw UsageError(
+        fmt::format("'{}' is a file: say before it what to do, as in raycat render "
+                    "{}; one of {}",
+                    first, first, fmt::join(names, ", ")));
+  }
+  throw UsageError(fmt::format("'{}' is not one of {}{}; see raycat --help", first,
+                               fmt::join(names, ", "), suggestion(first, names)));
+}
+
+// Says which of the arguments that nothing was made of is an option, and what may have been meant.
+std::string not_expected(const CLI::App& app) {
+  std::vector<std::string> rest = app.remaining(true);
+  const auto option =
+      std::ranges::find_if(rest, [](const std::string& word) { return word.starts_with('-'); });
+  if (option == rest.end()) {
+    return fmt::format("'{}' is not expected", rest.empty() ? "" : rest.front());
+  }
+  const std::string name = option->substr(0, option->find('='));
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* one : command->get_options()) {
+      for (const std::string& long_name : one->get_lnames()) {
+        known.push_back("--" + long_name);
+      }
+    }
+  }
+  return fmt::format("{} is no option here{}", name, suggestion(name, known));
 }
 
 int run(int argc, char** argv) {
@@ -161,6 +232,8 @@ int run(int argc, char** argv) {
     return app.exit(CLI::CallForHelp());
   } catch (const CLI::CallForVersion& version) {
     return app.exit(version);
+  } catch (const CLI::ExtrasError&) {
+    return fail(2, fmt::format("{}; see raycat --help", not_expected(app)));
   } catch (const CLI::ParseError& error) {
     return fail(2, fmt::format("{}; see raycat --help", error.what()));
   }

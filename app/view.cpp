@@ -1,11 +1,15 @@
 #include "app/view.hpp"
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/gtx/component_wise.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "app/command.hpp"
@@ -31,23 +35,60 @@ struct View {
   double distance = 1.0;  // from eye to target
 };
 
-// Six numbers, eye and target, and maybe the vertical field of view in degrees.
-View parse_view(const std::string& text, const glm::dvec3& up) {
+struct StandardView {
+  const char* option;
+  const char* orbit;
+  const char* help;
+};
+
+// The elevation of an isometric view is asin(1 / sqrt 3).
+constexpr std::array<StandardView, 4> standard_views{
+    {{"--top", "0,90", "Look from above, the front at the bottom: --orbit 0,90"},
+     {"--front", "0,0", "Look from the front: --orbit 0,0"},
+     {"--right", "90,0", "Look from the right: --orbit 90,0"},
+     {"--iso", "45,35.264389682754654",
+      "Look from the front right and above, all axes alike: --orbit 45,35.264"}}};
+
+// Numbers with commas between them, from `least` to `most` of them.
+std::vector<double> parse_numbers(std::string_view option, const std::string& text,
+                                  std::size_t least, std::size_t most, std::string_view form) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = parse<double>(std::string_view(text).substr(begin, end - begin));
-    if (!number) {
-      throw UsageError(
-          fmt::format("--view {}: '{}' is not a number", text, text.substr(begin, end - begin)));
+    const std::string part = text.substr(begin, end - begin);
+    const auto number = parse<double>(part);
+    if (!number || !std::isfinite(*number)) {
+      const bool blanks = part.find(' ') != std::string::npos;
+      throw UsageError(fmt::format("{} {}: '{}' is not a number{}", option, text, part,
+                                   blanks ? ": numbers need commas between them" : ""));
     }
     numbers.push_back(*number);
     begin = end + 1;
   }
-  if (numbers.size() != 6 && numbers.size() != 7) {
-    throw UsageError(fmt::format(
-        "--view {}: expected ex,ey,ez,tx,ty,tz or ex,ey,ez,tx,ty,tz,fov_degrees", text));
+  if (numbers.size() < least || numbers.size() > most) {
+    throw UsageError(fmt::format("{} {}: expected {}", option, text, form));
   }
+  return numbers;
+}
+
+glm::dvec3 up_of(const SceneFile& file, const ViewOptions& options) {
+  if (options.up.empty()) {
+    return file.up;
+  }
+  const std::vector<double> numbers = parse_numbers("--up", options.up, 3, 3, "x,y,z");
+  const glm::dvec3 up(numbers[0], numbers[1], numbers[2]);
+  const double greatest = glm::compMax(glm::abs(up));
+  if (!(greatest > 0.0)) {
+    throw UsageError(fmt::format("--up {}: has no direction", options.up));
+  }
+  return glm::normalize(up / greatest);
+}
+
+// Eye and target, and maybe the vertical field of view in degrees.
+Camera view_camera(const ViewOptions& options, const glm::dvec3& up) {
+  const std::string& text = options.view;
+  const std::vector<double> numbers =
+      parse_numbers("--view", text, 6, 7, "ex,ey,ez,tx,ty,tz or ex,ey,ez,tx,ty,tz,fov_degrees");
   try {
     const glm::dvec3 eye(numbers[0], numbers[1], numbers[2]);
     const glm::dvec3 target(numbers[3], numbers[4], numbers[5]);
@@ -59,12 +100,36 @@ View parse_view(const std::string& text, const glm::dvec3& up) {
       }
       camera.half_height = std::tan(glm::radians(numbers[6]) / 2.0);
     }
-    return {.camera = camera, .distance = glm::distance(eye, target)};
+    return options.orthographic ? orthographic(camera, glm::distance(eye, target)) : camera;
   } catch (const UsageError&) {
     throw;
   } catch (const std::invalid_argument& error) {
     throw UsageError(fmt::format("--view {}: {}", text, error.what()));
   }
+}
+
+// Around the middle of the scene: all of it is seen, or it is at the distance that is asked for.
+Camera orbit_camera(const SceneFile& file, const ViewOptions& options, const glm::dvec3& up,
+                    double aspect) {
+  const std::vector<double> numbers = parse_numbers(
+      "--orbit", options.orbit, 2, 3, "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE");
+  if (std::abs(numbers[1]) > 90.0) {
+    throw UsageError(
+        fmt::format("--orbit {}: the elevation is between -90 and 90 degrees", options.orbit));
+  }
+  const Orbit from = orbit(up, glm::radians(numbers[0]), glm::radians(numbers[1]));
+  const Bounds box = bounds(file.scene);
+  if (numbers.size() == 2) {
+    return frame(box, from.towards_eye, from.up, aspect, options.orthographic);
+  }
+  const double distance = numbers[2];
+  const glm::dvec3 middle = box.empty() || !box.finite() ? glm::dvec3(0.0) : box.center();
+  if (!(distance > 0.0)) {
+    throw UsageError(fmt::format("--orbit {}: the distance must be more than 0", options.orbit));
+  }
+  Camera camera = look_at(from.towards_eye, glm::dvec3(0.0), from.up);
+  camera.eye = middle + distance * from.towards_eye;
+  return options.orthographic ? orthographic(camera, distance) : camera;
 }
 
 const Camera& named_camera(const SceneFile& file, const std::string& wanted) {
@@ -92,13 +157,37 @@ void add_view(CLI::App& command, ViewOptions& options) {
   command.add_option("--size", options.size, "Image size in pixels")
       ->type_name("WxH")
       ->capture_default_str();
-  auto* camera =
+  std::vector<CLI::Option*> views;
+  const auto add_one_of = [&](CLI::Option* view) {
+    for (CLI::Option* other : views) {
+      view->excludes(other);
+    }
+    views.push_back(view);
+    return view;
+  };
+  CLI::Option* camera = add_one_of(
       command.add_option("--camera", options.camera, "Camera of the scene, by name or from 0")
-          ->type_name("NAME|INDEX");
+          ->type_name("NAME|INDEX"));
+  add_one_of(command
+                 .add_option("--view", options.view,
+                             "Look from e to t; the vertical field of view is 40 degrees if left "
+                             "out")
+                 ->type_name("ex,ey,ez,tx,ty,tz[,fov_degrees]"));
+  add_one_of(command
+                 .add_option("--orbit", options.orbit,
+                             "Look at the middle of the scene from so many degrees round it, 0 "
+                             "from the front and 90 from the right, and above it; all of it is in "
+                             "view, or it is at a distance")
+                 ->type_name("AZIMUTH,ELEVATION[,DISTANCE]"));
+  for (const StandardView& view : standard_views) {
+    add_one_of(command.add_flag_callback(
+        view.option, [&options, &view] { options.orbit = view.orbit; }, view.help));
+  }
   command
-      .add_option("--view", options.view,
-                  "Look from e to t; the vertical field of view is 40 degrees if left out")
-      ->type_name("ex,ey,ez,tx,ty,tz[,fov_degrees]")
+      .add_option("--up", options.up,
+                  "What is upright in a view that is no camera of the scene's; +Y or +Z by the "
+                  "kind of file")
+      ->type_name("x,y,z")
       ->excludes(camera);
   command.add_flag("--ortho", options.orthographic, "Orthographic projection");
   command
@@ -127,13 +216,19 @@ ImageSize parse_size(const std::string& text) {
 }
 
 Camera camera_of(const SceneFile& file, const ViewOptions& options, const ImageSize& size) {
+  const double aspect = static_cast<double>(size.width) / size.height;
+  const glm::dvec3 up = up_of(file, options);
   if (!options.view.empty()) {
-    const auto [camera, distance] = parse_view(options.view, file.up);
-    return options.orthographic ? orthographic(camera, distance) : camera;
+    return view_camera(options, up);
+  }
+  if (!options.orbit.empty()) {
+    return orbit_camera(file, options, up, aspect);
   }
   if (options.camera.empty()) {
-    return default_camera(file, static_cast<double>(size.width) / size.height,
-                          options.orthographic);
+    if (!options.up.empty()) {
+      throw UsageError("--up goes with --view, --orbit or a view such as --front");
+    }
+    return default_camera(file, aspect, options.orthographic);
   }
   const Camera& camera = named_camera(file, options.camera);
   return options.orthographic ? orthographic(camera, distance_to_middle(file.scene, camera))

@@ -17,6 +17,8 @@ struct ViewOptions {
   std::string size = "512x512";
   std::string camera;
   std::string view;
+  std::string orbit;  ///< AZIMUTH,ELEVATION[,DISTANCE], in degrees and units of the scene
+  std::string up;     ///< x,y,z; the scene's own if empty
   bool orthographic = false;
   int levels = 8;  ///< of recursion
 };

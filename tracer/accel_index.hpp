@@ -53,8 +53,8 @@ struct Accel::Index {
   double leave_distance(const glm::dvec3& origin, const glm::dvec3& point, bool of_triangle) const;
 
   struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCDevice released) const { rtcReleaseDevice(released); }
+    void operator()(RTCScene released) const { rtcReleaseScene(released); }
   };
 
   // A mesh that Embree does not see the triangles of.

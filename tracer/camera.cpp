@@ -15,13 +15,11 @@ bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// A unit vector that is perpendicular to `axis`.
-glm::dvec3 perpendicular(const glm::dvec3& axis) {
-  const glm::dvec3 a = glm::abs(axis);
-  const glm::dvec3 least = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
-                           : a.y <= a.z             ? glm::dvec3(0, 1, 0)
-                                                    : glm::dvec3(0, 0, 1);
-  return glm::normalize(glm::cross(axis, least));
+// +X without its part along `axis`, a unit vector, or +Y if that leaves next to nothing; of
+// length 1.
+glm::dvec3 side_across(const glm::dvec3& axis) {
+  const glm::dvec3 side = std::abs(axis.x) < 0.999 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return glm::normalize(side - glm::dot(side, axis) * axis);
 }
 
 }  // namespace
@@ -38,17 +36,22 @@ Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3
   Camera camera{.eye = eye, .forward = way / distance, .half_height = std::tan(default_fov / 2)};
   const glm::dvec3 right = glm::cross(camera.forward, up);
   camera.right = glm::length(right) > 1e-9 * glm::length(up) ? glm::normalize(right)
-                                                             : perpendicular(camera.forward);
+                                                             : side_across(camera.forward);
   camera.up = glm::cross(camera.right, camera.forward);
   return camera;
 }
 
+Orbit orbit(const glm::dvec3& up, double azimuth, double elevation) {
+  const glm::dvec3 axis = glm::normalize(up);
+  const glm::dvec3 side = side_across(axis);
+  const glm::dvec3 front = glm::cross(side, axis);
+  const glm::dvec3 level = std::sin(azimuth) * side + std::cos(azimuth) * front;
+  return {.towards_eye = std::cos(elevation) * level + std::sin(elevation) * axis,
+          .up = std::cos(elevation) * axis - std::sin(elevation) * level};
+}
+
 glm::dvec3 three_quarter(const glm::dvec3& up) {
-  const glm::dvec3 side(1.0, 0.0, 0.0);
-  const glm::dvec3 front = glm::cross(side, up);
-  const double round = 0.6108652381980153;
-  const double rise = 0.4363323129985824;
-  return std::cos(rise) * (std::sin(round) * side + std::cos(round) * front) + std::sin(rise) * up;
+  return orbit(up, 0.6108652381980153, 0.4363323129985824).towards_eye;
 }
 
 Camera frame(const Bounds& bounds, const glm::dvec3& towards_eye, const glm::dvec3& up,

@@ -23,15 +23,27 @@ struct Camera {
 };
 
 /// Points `camera` from `eye` to `target`. Throws `std::invalid_argument` if they coincide, or a
-/// coordinate is not finite. If `up` is along the view, another is chosen.
+/// coordinate is not finite. If the view is along `up`, +X is to the right: in a view from above,
+/// -Z is then up in the picture if `up` is +Y, and +Y if it is +Z.
 Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
 
 /// An orthographic camera in place of `camera`, which keeps the size of what lies at `distance`
 /// from the eye.
 Camera orthographic(Camera camera, double distance);
 
+/// Where a scene is seen from: a direction around its middle.
+struct Orbit {
+  glm::dvec3 towards_eye{0.0};  ///< unit
+  glm::dvec3 up{0.0};           ///< unit, upright in the picture
+};
+
+/// From `azimuth` round the axis `up`, and `elevation` above the plane across it, in radians. The
+/// azimuth is 0 from the front, which is +Z if `up` is +Y and -Y if it is +Z, and grows to the
+/// right, so that +X is seen from a quarter turn.
+Orbit orbit(const glm::dvec3& up, double azimuth, double elevation);
+
 /// From the front right and above, 35 degrees round and 25 up: the unit vector towards the eye of a
-/// three-quarter view, with `up` (+Y or +Z) upright.
+/// three-quarter view.
 glm::dvec3 three_quarter(const glm::dvec3& up);
 
 /// Views `bounds` whole from where `towards_eye`, a unit vector, points, with `up` upright: for

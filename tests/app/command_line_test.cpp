@@ -167,6 +167,68 @@ TEST_CASE("back faces are hidden, and shown when they are asked for", "[app][ren
   CHECK(objects("--lights off --back-faces show") == 3);
 }
 
+TEST_CASE("standard views are orbits, and orbits are views", "[app][render]") {
+  const TemporaryFolder folder;
+  const auto picture = [&](const std::string& options) {
+    const Outcome outcome = raycat(
+        fmt::format("render {} --size 24x24 {} -o '{}'", scene("fig1"), options, folder / "a.ppm"));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const std::string bytes = read_file(folder / "a.ppm");
+    return bytes.substr(bytes.find("\n255\n"));  // past the command that made it
+  };
+  CHECK(picture("--top") == picture("--orbit 0,90"));
+  CHECK(picture("--front") == picture("--orbit 0,0"));
+  CHECK(picture("--right") == picture("--orbit 90,0"));
+  CHECK(picture("--iso") == picture("--orbit 45,35.264389682754654"));
+  CHECK(picture("--top") != picture("--front"));
+  // Straight down, -Z is up, and what --up says is.
+  const std::string down = "--view 0,9,0,0,0,0";
+  CHECK(picture(down) == picture(down + " --up 0,0,-1"));
+  CHECK(picture(down) != picture(down + " --up 1,0,0"));
+}
+
+TEST_CASE("a view that cannot be is one line", "[app][render]") {
+  const auto [options, says] = GENERATE(table<std::string, std::string>(
+      {{"--top --front", "--top excludes --front"},
+       {"--view 0,9,0,0,0,0 --iso", "--view excludes --iso"},
+       {"--orbit 1", "--orbit 1: expected AZIMUTH,ELEVATION"},
+       {"--orbit 0,91", "the elevation is between -90 and 90 degrees"},
+       {"--orbit 0,0,0", "the distance must be more than 0"},
+       {"--orbit 0,inf", "'inf' is not a number"},
+       {"--up 0,0,0 --top", "--up 0,0,0: has no direction"},
+       {"--up 0,1,0", "--up goes with --view, --orbit or a view such as --front"},
+       {"--view '1 2 3 0 0 0'",
+        "'1 2 3 0 0 0' is not a number: numbers need commas between them"}}));
+  const Outcome outcome = raycat(fmt::format("render {} {} -o out.png", scene("fig1"), options));
+  INFO(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(std::ranges::count(outcome.err, '\n') == 1);
+  CHECK(outcome.err.find(says) != std::string::npos);
+}
+
+TEST_CASE("what was meant is asked where a word is not known", "[app]") {
+  const std::string file = scene("fig1");
+  const auto [arguments, says] = GENERATE_COPY(table<std::string, std::string>(
+      {{"render " + file + " --sise 3x3 -o a.png",
+        "--sise is no option here: did you mean --size?"},
+       {"render " + file + " --linse a.png b.png",
+        "--linse is no option here: did you mean --lines?"},
+       {"info " + file + " --rubbish=3", "--rubbish is no option here; see raycat --help"},
+       {"info " + file + " more", "'more' is not expected; see raycat --help"},
+       {"rendr " + file,
+        "'rendr' is not one of render, info, probe, compare, study, measure, "
+        "convert: did you mean render?"},
+       {"info " + file + " --max-nodes -1", "'-1' is not a number of 0 or more"},
+       {"info " + file + " --max-memory -1", "'-1' is not a number of 0 or more"},
+       {file, "is a file: say before it what to do, as in raycat render"}}));
+  const Outcome outcome = raycat(arguments);
+  INFO(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(std::ranges::count(outcome.err, '\n') == 1);
+  CHECK(outcome.err.find(says) != std::string::npos);
+}
+
 TEST_CASE("every method makes a map, and numbers say what overflows", "[app][render]") {
   const auto stats = [](const std::string& method) {
     return Json::parse(

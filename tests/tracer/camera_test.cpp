@@ -1,5 +1,9 @@
 #include "tracer/camera.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -51,11 +55,40 @@ TEST_CASE("a view without a direction is refused", "[tracer][camera]") {
                     "eye, target and up of a view must be finite numbers");
 }
 
-TEST_CASE("looking straight up still has a right and an up", "[tracer][camera]") {
-  const Camera camera = look_at({0, 0, 0}, {0, 5, 0}, {0, 1, 0});
-  CHECK(glm::length(camera.right) == Approx(1.0));
-  CHECK(glm::dot(camera.right, camera.forward) == Approx(0.0).margin(1e-15));
-  CHECK(glm::dot(camera.up, camera.forward) == Approx(0.0).margin(1e-15));
+TEST_CASE("looking straight down or up has +X to the right", "[tracer][camera]") {
+  const glm::dvec3 x(1, 0, 0);
+  const glm::dvec3 y(0, 1, 0);
+  const glm::dvec3 z(0, 0, 1);
+  for (const auto& [up, down, upright] :
+       {std::tuple(y, -y, -z), std::tuple(y, y, z), std::tuple(z, -z, y), std::tuple(z, z, -y)}) {
+    const Camera camera = look_at({2, 3, 4}, glm::dvec3(2, 3, 4) + 5.0 * down, up);
+    CHECK(camera.right == x);
+    CHECK(camera.up == upright);
+  }
+  const Camera sideways = look_at({0, 0, 0}, {2, 0, 0}, x);
+  CHECK(glm::length(sideways.right) == Approx(1.0));
+  CHECK(glm::dot(sideways.right, sideways.forward) == 0.0);
+}
+
+TEST_CASE("an orbit goes from the front to the right and to the top", "[tracer][camera]") {
+  const double quarter = std::numbers::pi / 2.0;
+  const auto near = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::distance(a, b) < 1e-15;
+  };
+  for (const glm::dvec3& up : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+    const glm::dvec3 right(1, 0, 0);
+    const glm::dvec3 front = glm::cross(right, up);
+    CHECK(near(orbit(up, 0, 0).towards_eye, front));
+    CHECK(near(orbit(up, 0, 0).up, up));
+    CHECK(near(orbit(up, quarter, 0).towards_eye, right));
+    CHECK(near(orbit(up, 0, quarter).towards_eye, up));
+    CHECK(near(orbit(up, 0, quarter).up, -front));
+    CHECK(near(orbit(up, quarter, quarter).up, -right));
+    CHECK(near(orbit(up, 0, -quarter).up, front));
+  }
+  // Of an isometric view, all axes are seen alike.
+  const Orbit iso = orbit({0, 0, 1}, quarter / 2.0, std::asin(1.0 / std::sqrt(3.0)));
+  CHECK(near(glm::abs(iso.towards_eye), glm::dvec3(1.0 / std::sqrt(3.0))));
 }
 
 TEST_CASE("framing shows the whole box", "[tracer][camera]") {
