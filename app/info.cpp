@@ -53,10 +53,11 @@ std::string text_of(const nlohmann::ordered_json& value) {
 
 void info(const CommonOptions& options) {
   SceneFile file = load(options);
-  if (file.scene.lights.empty()) {
+  const bool is_seen = file.scene.surfaces.faces() > 0;
+  if (is_seen && file.scene.lights.empty()) {
     file.warnings.emplace_back("no light in the file: a headlight and a key light are used");
   }
-  if (file.scene.cameras.empty()) {
+  if (is_seen && file.scene.cameras.empty()) {
     file.warnings.emplace_back("no camera in the file: the scene is framed automatically");
   }
   const nlohmann::ordered_json all = summary(file);

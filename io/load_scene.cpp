@@ -48,7 +48,11 @@ SceneFile read(const std::filesystem::path& file, SceneKind kind, const LoadOpti
 
 SceneFile load_scene(const std::filesystem::path& file, const LoadOptions& options) {
   require_regular_file(file);
-  return read(file, scene_kind(file), options);
+  SceneFile scene = read(file, scene_kind(file), options);
+  if (scene.scene.surfaces.faces() == 0 && scene.warnings.empty()) {  // which say why
+    scene.warnings.emplace_back("the scene holds nothing to see");
+  }
+  return scene;
 }
 
 }  // namespace raycat

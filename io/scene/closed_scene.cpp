@@ -43,8 +43,9 @@ bool is_closed(const Scene& scene) {
   for (const MeshInstance& instance : scene.meshes) {
     objects[scene.surfaces.object(instance.first_face)].push_back(&instance);
   }
-  return std::ranges::all_of(objects,
-                             [](const auto& object) { return encloses_volume(object.second); });
+  return scene.surfaces.objects() > 0 && std::ranges::all_of(objects, [](const auto& object) {
+           return encloses_volume(object.second);
+         });
 }
 
 }  // namespace raycat

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "io/files/load_error.hpp"
+#include "io/scene/closed_scene.hpp"
 #include "tests/io/scene_text.hpp"
 
 namespace raycat {
@@ -38,6 +39,17 @@ TEST_CASE("what is no scene file is refused with one line", "[io]") {
 TEST_CASE("the kind of a file is told by its extension in any case", "[io]") {
   CHECK(load_text("a.CSG", "cube();").scene.surfaces.faces() == 6);
   CHECK(load_text("a.Obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").triangles == 1);
+}
+
+TEST_CASE("a scene without anything to see is not closed, and says so once", "[io][empty]") {
+  const std::string text = GENERATE(
+      as<std::string>(), R"({"asset":{"version":"2.0"},"nodes":[{}],"scenes":[{"nodes":[0]}]})",
+      R"({"asset":{"version":"2.0"}})",
+      R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[]}],"nodes":[{"mesh":0}],)"
+      R"("scenes":[{"nodes":[0]}],"scene":0})");
+  const SceneFile file = load_text("a.gltf", text);
+  CHECK(file.warnings == std::vector<std::string>{"the scene holds nothing to see"});
+  CHECK_FALSE(is_closed(file.scene));
 }
 
 }  // namespace
