@@ -31,10 +31,6 @@ using Json = nlohmann::ordered_json;
 using Writer = Json (*)(const ConvertOptions& options, SceneFile& file);
 
 Json to_pov(const ConvertOptions& options, SceneFile& file) {
-  if (options.chord_error || options.simplify_error) {
-    throw UsageError(fmt::format("{}: {} is of triangles, which a .pov file has none of",
-                                 options.out, options.chord_error ? "--chord" : "--simplify"));
-  }
   const ImageSize size = parse_size(options.view.size);
   const Camera camera = camera_of(file, options.view, size);
   file.scene = lit(std::move(file.scene), camera);
@@ -109,10 +105,11 @@ Json to_stl(const ConvertOptions& options, SceneFile& file) {
 struct Format {
   std::string_view extension;
   Writer write;
+  bool triangles = true;
 };
 
 constexpr std::array formats{Format{".glb", to_glb}, Format{".obj", to_obj}, Format{".ply", to_ply},
-                             Format{".pov", to_pov}, Format{".stl", to_stl}};
+                             Format{".pov", to_pov, false}, Format{".stl", to_stl}};
 
 const Format& format_of(const std::string& path) {
   const std::string extension = lower_extension(path);
@@ -127,6 +124,14 @@ const Format& format_of(const std::string& path) {
       fmt::format("{}: unknown kind of file to convert to: the name must end in {}", path, known));
 }
 
+// Throws `UsageError` for what has no effect on the format.
+void require_effect(const ConvertOptions& options, const Format& format) {
+  if (!format.triangles && (options.chord_error || options.simplify_error)) {
+    throw UsageError(fmt::format("{}: {} is of triangles, which a {} file has none of", options.out,
+                                 options.chord_error ? "--chord" : "--simplify", format.extension));
+  }
+}
+
 void require_place(const ConvertOptions& options) {
   std::error_code ignored;
   if (std::filesystem::equivalent(options.out, options.common.scene, ignored)) {
@@ -137,6 +142,7 @@ void require_place(const ConvertOptions& options) {
 
 void convert(const ConvertOptions& options) {
   const Format& format = format_of(options.out);
+  require_effect(options, format);
   require_place(options);
   SceneFile file = load(options.common);
   Json figures{{"out", options.out}};

@@ -30,11 +30,6 @@ std::optional<Number> parse(std::string_view text) {
   return value;
 }
 
-struct View {
-  Camera camera;
-  double distance = 1.0;  // from eye to target
-};
-
 struct StandardView {
   const char* option;
   const char* orbit;

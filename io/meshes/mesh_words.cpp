@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -37,6 +38,10 @@ std::string_view take_line(std::string_view& text) {
   const std::string_view line = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
   return line;
+}
+
+std::string_view without_comment(std::string_view line, std::string_view comment) {
+  return line.substr(0, line.find_first_of(comment));
 }
 
 void split(std::string_view line, MeshWords& words) {
@@ -74,6 +79,28 @@ glm::dvec3 read_point(const MeshWords& words, std::size_t first, std::size_t lin
     point[axis] = *number;
   }
   return point;
+}
+
+std::string_view MeshWordReader::take() {
+  while (at_ == words_.size()) {
+    if (rest_.empty()) {
+      throw std::invalid_argument(std::string(ended_));
+    }
+    split(without_comment(take_line(rest_), comment_), words_);
+    at_ = 0;
+    ++line_;
+  }
+  return words_[at_++];
+}
+
+std::size_t MeshWordReader::lines() const {
+  std::size_t count = left_of_line() > 0 ? 1 : 0;
+  MeshWords words;
+  for (std::string_view rest = rest_; !rest.empty();) {
+    split(without_comment(take_line(rest), comment_), words);
+    count += words.empty() ? 0U : 1U;
+  }
+  return count;
 }
 
 }  // namespace raycat

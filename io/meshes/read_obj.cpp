@@ -41,7 +41,7 @@ PolygonMesh read_obj(std::string_view bytes) {
     if (!joined.empty()) {
       line = joined += line;
     }
-    split(line.substr(0, line.find('#')), words);
+    split(without_comment(line, "#"), words);
     if (words.empty()) {
       continue;
     }

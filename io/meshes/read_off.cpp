@@ -37,56 +37,9 @@ std::optional<Columns> columns(std::string_view name) {
   return name == "OFF" ? std::optional(out) : std::nullopt;
 }
 
-// The next line without its comment.
-std::string_view take_text(std::string_view& rest) {
-  const std::string_view line = take_line(rest);
-  return line.substr(0, line.find('#'));
-}
+constexpr std::string_view comment = "#";
 
-// The words of a text file without its comments.
-class Words {
- public:
-  Words(std::string_view text, std::size_t line) : rest_(text), line_(line - 1) {}
-
-  std::string_view take() {
-    while (at_ == words_.size()) {
-      if (rest_.empty()) {
-        throw std::invalid_argument("ends before its last vertex or face");
-      }
-      split(take_text(rest_), words_);
-      at_ = 0;
-      ++line_;
-    }
-    return words_[at_++];
-  }
-
-  // Of the word that was taken last.
-  std::size_t line() const { return line_; }
-
-  // How many words does this line hold still?
-  std::size_t left_of_line() const { return words_.size() - at_; }
-
-  void pass_line() { at_ = words_.size(); }
-
-  // How many lines hold words still?
-  std::size_t lines() const {
-    std::size_t count = left_of_line() > 0 ? 1 : 0;
-    MeshWords words;
-    for (std::string_view rest = rest_; !rest.empty();) {
-      split(take_text(rest), words);
-      count += words.empty() ? 0U : 1U;
-    }
-    return count;
-  }
-
- private:
-  std::string_view rest_;
-  MeshWords words_;
-  std::size_t at_ = 0;
-  std::size_t line_;
-};
-
-std::size_t take_size(Words& in, std::string_view what) {
+std::size_t take_size(MeshWordReader& in, std::string_view what) {
   std::size_t count = 0;
   if (!read_integer(in.take(), count)) {
     refuse_line(in.line(), what);
@@ -96,7 +49,7 @@ std::size_t take_size(Words& in, std::string_view what) {
 
 // Files have a line for each vertex and face, and what the line holds beyond is colours and the
 // like; or they run over lines as they like, and hold what the header says.
-void read_text(Words& in, const Columns& columns, PolygonMesh& out) {
+void read_text(MeshWordReader& in, const Columns& columns, PolygonMesh& out) {
   constexpr std::string_view counts = "expected the numbers of vertices and faces";
   const std::size_t vertices = take_size(in, counts);
   const std::size_t line = in.line();
@@ -161,7 +114,7 @@ PolygonMesh read_off(std::string_view bytes) {
   MeshWords words;
   std::size_t line = 0;
   while (words.empty() && !rest.empty()) {
-    split(take_text(rest), words);
+    split(without_comment(take_line(rest), comment), words);
     ++line;
   }
   // The numbers may follow it without a blank.
@@ -177,7 +130,7 @@ PolygonMesh read_off(std::string_view bytes) {
     read_binary(rest, *found, out);
   } else {
     const auto begin = static_cast<std::size_t>(first.data() - bytes.data()) + end;
-    Words in(bytes.substr(begin), line);
+    MeshWordReader in(bytes.substr(begin), line, comment, "ends before its last vertex or face");
     read_text(in, *found, out);
   }
   return out;

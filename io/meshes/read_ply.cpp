@@ -126,40 +126,25 @@ Header take_header(std::string_view& bytes, std::size_t& line) {
   }
 }
 
-// The numbers of a text file, whatever lines they are on.
+// The numbers of a text file, which has no comments.
 class TextNumbers {
  public:
-  TextNumbers(std::string_view text, std::size_t line) : rest_(text), line_(line) {}
+  TextNumbers(std::string_view text, std::size_t line) : words_(text, line, "", "is truncated") {}
 
   double take(const Type& /*type*/) {
-    const std::string_view word = take_word();
+    const std::string_view word = words_.take();
     const std::optional<double> number = read_number(word);
     if (!number) {
-      refuse_line(line_, fmt::format("'{:.40}' is not a number", word));
+      refuse_line(words_.line(), fmt::format("'{:.40}' is not a number", word));
     }
     return *number;
   }
-  void skip(const Type& /*type*/) { take_word(); }
+  void skip(const Type& /*type*/) { words_.take(); }
 
-  std::size_t left() const noexcept { return rest_.size() + words_.size() - at_; }
+  std::size_t left() const noexcept { return words_.left(); }
 
  private:
-  std::string_view take_word() {
-    while (at_ == words_.size()) {
-      if (rest_.empty()) {
-        throw std::invalid_argument("is truncated");
-      }
-      split(take_line(rest_), words_);
-      at_ = 0;
-      ++line_;
-    }
-    return words_[at_++];
-  }
-
-  std::string_view rest_;
-  MeshWords words_;
-  std::size_t at_ = 0;
-  std::size_t line_;
+  MeshWordReader words_;
 };
 
 class PlyNumbers : public BinaryNumbers {
@@ -334,7 +319,7 @@ PolygonMesh read_ply(std::string_view bytes) {
   const Header header = take_header(bytes, line);
   check(header, bytes.size());
   if (header.format == Header::Format::ascii) {
-    return read_elements(header, TextNumbers(bytes, line));
+    return read_elements(header, TextNumbers(bytes, line + 1));
   }
   const bool little = header.format == Header::Format::little_endian;
   return read_elements(header, PlyNumbers(bytes, little ? std::endian::little : std::endian::big));
