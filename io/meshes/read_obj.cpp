@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "io/files/excerpt.hpp"
 #include "io/meshes/mesh_words.hpp"
 #include "io/meshes/polygon_mesh.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 std::uint32_t corner(std::string_view word, std::size_t points, std::size_t line) {
   std::int64_t index = 0;
   if (!read_integer(word.substr(0, word.find('/')), index) || index == 0) {
-    refuse_line(line, fmt::format("'{:.40}' is no corner of a face", word));
+    refuse_line(line, fmt::format("'{}' is no corner of a face", excerpt(word)));
   }
   const std::int64_t from_0 = index > 0 ? index - 1 : static_cast<std::int64_t>(points) + index;
   if (from_0 < 0 || from_0 >= std::numeric_limits<std::uint32_t>::max()) {

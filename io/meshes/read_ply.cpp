@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "io/files/excerpt.hpp"
 #include "io/meshes/binary_numbers.hpp"
 #include "io/meshes/mesh_words.hpp"
 #include "io/meshes/polygon_mesh.hpp"
@@ -41,7 +42,7 @@ Type type_named(std::string_view name, std::size_t line) {
       return type.type;
     }
   }
-  refuse_line(line, fmt::format("unknown type '{:.40}'", name));
+  refuse_line(line, fmt::format("unknown type '{}'", excerpt(name)));
 }
 
 std::size_t size_of(const Type& type) {
@@ -75,7 +76,7 @@ void take_format(std::string_view format, std::size_t line, Header& out) {
   } else if (format == "binary_big_endian") {
     out.format = Header::Format::big_endian;
   } else {
-    refuse_line(line, fmt::format("unknown format '{:.40}'", format));
+    refuse_line(line, fmt::format("unknown format '{}'", excerpt(format)));
   }
 }
 
@@ -101,7 +102,7 @@ void take_header_line(const MeshWords& words, std::size_t line, Header& out) {
                                               .type = type_named(words[3], line),
                                               .count = type_named(words[2], line)});
   } else if (words[0] != "comment" && words[0] != "obj_info") {
-    refuse_line(line, fmt::format("'{:.40}' is not expected here", words[0]));
+    refuse_line(line, fmt::format("'{}' is not expected here", excerpt(words[0])));
   }
 }
 
@@ -135,7 +136,7 @@ class TextNumbers {
     const std::string_view word = words_.take();
     const std::optional<double> number = read_number(word);
     if (!number) {
-      refuse_line(words_.line(), fmt::format("'{:.40}' is not a number", word));
+      refuse_line(words_.line(), fmt::format("'{}' is not a number", excerpt(word)));
     }
     return *number;
   }
@@ -163,7 +164,8 @@ template <typename Numbers>
 std::size_t take_count(Numbers& in, const Property& property) {
   const double count = in.take(*property.count);
   if (!(count >= 0.0) || count != std::floor(count)) {
-    throw std::invalid_argument(fmt::format("a list '{:.40}' has {} items", property.name, count));
+    throw std::invalid_argument(
+        fmt::format("a list '{}' has {} items", excerpt(property.name), count));
   }
   if (count > static_cast<double>(in.left())) {
     throw std::invalid_argument("is truncated");
@@ -178,7 +180,7 @@ void take_list(Numbers& in, const Property& property, std::vector<std::int64_t>&
   for (std::size_t left = take_count(in, property); left > 0; --left) {
     const double index = in.take(property.type);
     if (index != std::floor(index) || !(std::abs(index) < 0x1p32)) {
-      throw std::invalid_argument(fmt::format("'{:.40}' holds {}", property.name, index));
+      throw std::invalid_argument(fmt::format("'{}' holds {}", excerpt(property.name), index));
     }
     out.push_back(static_cast<std::int64_t>(index));
   }
@@ -278,8 +280,8 @@ void check(const Header& header, std::size_t bytes) {
     }
     if (least > 0 && element.count > (bytes + 1) / least) {
       throw std::invalid_argument(
-          fmt::format("the header promises {} of '{:.40}', more than the file holds", element.count,
-                      element.name));
+          fmt::format("the header promises {} of '{}', more than the file holds", element.count,
+                      excerpt(element.name)));
     }
     if (element.name == "vertex" && axes != 3) {
       throw std::invalid_argument("the header gives vertices no x, y and z");

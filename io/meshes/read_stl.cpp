@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "io/files/excerpt.hpp"
 #include "io/meshes/binary_numbers.hpp"
 #include "io/meshes/mesh_words.hpp"
 #include "io/meshes/polygon_mesh.hpp"
@@ -59,7 +60,7 @@ class Facets {
 void Facets::take(const MeshWords& words, std::size_t line) {
   const auto need = [&](bool found, std::string_view what) {
     if (!found) {
-      refuse_line(line, fmt::format("expected {}, but found '{:.40}'", what, words[0]));
+      refuse_line(line, fmt::format("expected {}, but found '{}'", what, excerpt(words[0])));
     }
   };
   switch (in_) {

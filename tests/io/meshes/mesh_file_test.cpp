@@ -386,6 +386,9 @@ TEST_CASE("malformed mesh files are refused with one line", "[io][mesh]") {
   CHECK(load_error("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n") ==
         "a.ply: line 4: expected end_header");
   CHECK(load_error("a.ply", ply.substr(0, ply.size() - 8)) == "a.ply: is truncated");
+  std::string with_zero = ply;
+  with_zero.replace(with_zero.find("0 0 0 7"), 2, std::string("0\0", 2));
+  CHECK(load_error("a.ply", with_zero) == "a.ply: line 12: '0 0' is not a number");
   CHECK(load_error("a.off", off.substr(0, off.size() - 8)) ==
         "a.off: ends before its last vertex or face");
   CHECK(load_error("a.off", "OFF\n4000000000 1 0\n0 0 0\n") ==
